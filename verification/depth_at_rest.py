@@ -58,7 +58,7 @@ def measure(barreno, job, cells, particles, courant=None):
     per_cell, _, splits = particles.partition("+")
     settings = {
         **JOBS[job], "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": per_cell, "Jet/Splits": splits or "0",
-        "Output/Field Interval": "0 us",
+        "Output/Field Interval": "0 us", "Time/End Time": f"{TIMES[-1]} us",
     }  # fmt: skip
     if courant is not None:
         settings["Step/Courant Fraction"] = f"{courant:g}"

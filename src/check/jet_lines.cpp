@@ -2,6 +2,7 @@
 #include "check/jet_lines.hpp"
 
 #include "base/format.hpp"
+#include "jet/divided_error.hpp"
 #include "jet/estimate.hpp"
 #include "jet/kinds.hpp"
 #include "jet/path.hpp"
@@ -91,7 +92,10 @@ std::string error_line(const DepthDoubt& doubt) {
 std::string depth_line(const Scene& scene) {
   const double end = expected_end(scene);
   if (estimate_jet(scene, end).thinnest == 0.0) return {};
-  return error_line(depth_doubt(scene, end));
+  const std::string line = error_line(depth_doubt(scene, end));
+  if (!is_divided(scene)) return line;
+  return line + "          of the hole as wide as the jet: " +
+         depth_doubt_text(probed_depth_doubt(scene, end, Penetration{})) + "\n";
 }
 
 /// When the hole of a run to rest is expected to be at rest.

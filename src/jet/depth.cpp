@@ -115,8 +115,10 @@ DepthWriter::DepthWriter(
     file_ = std::make_unique<LineFile>(file, kept);
     if (kept > 0) return;  // it has its header
     file_->append(
-        "# SI units: time s; depth, channel_depth, probed_depth, channel_radius_mid m; jet_mass_inside "
-        "kg (plane strain: kg per m); tip_velocity m/s; through 1 once the jet has come out of the rear of the target"
+        "# SI units: time s; depth, channel_depth, probed_depth, channel_radius_mid m; "
+        "jet_mass_inside "
+        "kg (plane strain: kg per m); tip_velocity m/s; through 1 once the jet has come out of the "
+        "rear of the target"
     );
     file_->append(
         path_.has_target ? "# depths from the outer face at y = " + to_text(path_.face) +
@@ -127,7 +129,9 @@ DepthWriter::DepthWriter(
       file_->append(
           "# liquids do not count: the face is that of a solid, and a hole full of liquid is open"
       );
-    file_->append("time,depth,channel_depth,probed_depth,channel_radius_mid,jet_mass_inside,tip_velocity,through"
+    file_->append(
+        "time,depth,channel_depth,probed_depth,channel_radius_mid,jet_mass_inside,tip_velocity,"
+        "through"
     );
   });
   work.agree();

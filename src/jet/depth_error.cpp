@@ -219,9 +219,7 @@ std::string why_method_unknown(const Scene& scene) {
 
 }  // namespace
 
-std::string why_depth_error_unknown(
-    const DepthTables& tables, const Scene& scene, double cells_per_radius
-) {
+std::string why_scene_unmeasured(const DepthTables& tables, const Scene& scene) {
   if (!tables.problem.empty()) return tables.problem;
   if (scene.grid.mode == Mode::plane_strain) return "it was measured with round jets only";
   if (scene.grid.mode == Mode::three_dimensional) return "it was measured in axisymmetry only";
@@ -239,10 +237,20 @@ std::string why_depth_error_unknown(
   if (!is_measured_pair(jet, target))
     return "it was measured with tungsten in dry Berea sandstone only, not with " + jet.name() +
            " in " + target.name();
+  return {};
+}
+
+std::string why_depth_error_unknown(
+    const DepthTables& tables, const Scene& scene, double cells_per_radius
+) {
+  std::string why = why_scene_unmeasured(tables, scene);
+  if (!why.empty()) return why;
+  const MaterialSpec& jet = scene.materials[static_cast<std::size_t>(scene.jet.material)];
+  const BodySpec& body = main_body(scene, solid_layers(path_layers(scene, widest_radius(scene))));
   if (breaks(jet))
     return "it was measured with tungsten that does not break only, not with the Spall Stress or "
            "damage of " +
-           jet.name();
+           jet.name() + " (but for particles that are divided 4 times, Jet/Splits)";
   const CellRange range = measured_cells(tables);
   // A table's last digit must not decide.
   constexpr double round_off = 1e-6;

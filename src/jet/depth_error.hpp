@@ -8,12 +8,6 @@
 
 namespace barreno {
 
-/// Error of a jet's depth that comes from the size of the cells, depth over true depth less 1.
-struct DepthError {
-  double value = 0.0;            ///< what perforation.xml had at the same cells and depth
-  double low = 0.0, high = 0.0;  ///< range of all measurements with the same cells
-};
-
 /// Whose depth it is that an error is asked for.
 enum class DepthOf { run, estimate };
 
@@ -71,9 +65,12 @@ std::string why_slugs_unknown(
     const DepthTables& tables, double length_over_radius, double slowest, double least_filled
 );
 
-/// Why the measurements say nothing of this scene, or are not there; empty if they do. They are of
-/// a round jet of tungsten that does not break, in dry sandstone, axisymmetric, with FLIP, GIMP and
-/// without contact.
+/// Why no measurements say anything of this scene, or are not there; empty if some may. They are of
+/// a round, discrete jet of tungsten in dry sandstone, axisymmetric, with FLIP, GIMP and without
+/// contact.
+std::string why_scene_unmeasured(const DepthTables& tables, const Scene& scene);
+
+/// The same of a jet that does not break, and of its cells.
 std::string why_depth_error_unknown(
     const DepthTables& tables, const Scene& scene, double cells_per_radius
 );

@@ -95,6 +95,31 @@ std::string take_lengths(const Rows& rows, DepthTables& tables) {
   return {};
 }
 
+/// Rows of what, cells per radius, value, low, high.
+std::string take_divided(const Rows& rows, DepthTables& tables) {
+  for (const MeasuredTable::Row& row : rows) {
+    const double cells = row.numbers[0];
+    const DepthError error{row.numbers[1], row.numbers[2], row.numbers[3]};
+    if (!(error.low <= error.value && error.value <= error.high))
+      return "an error is outside of its range";
+    if (row.name == "depth")
+      tables.divided.push_back({cells, error, {}});
+    else if (row.name != "probed depth")
+      return "nothing is known of rows \"" + row.name + "\"";
+    else if (tables.divided.empty() || tables.divided.back().cells_per_radius != cells)
+      return "a probed depth does not follow the depth with the same cells";
+    else
+      tables.divided.back().probed = error;
+  }
+  const auto fewer = [](const DividedError& a, const DividedError& b) {
+    return a.cells_per_radius < b.cells_per_radius;
+  };
+  const std::vector<DividedError>& found = tables.divided;
+  if (found.size() < 2 || rows.size() != 2 * found.size())
+    return "it has not two errors for each of several sizes of cells";
+  return std::is_sorted(found.begin(), found.end(), fewer) ? "" : "its cells are not sorted";
+}
+
 }  // namespace
 
 DepthTables read_depth_tables(const std::filesystem::path& folder) {
@@ -108,7 +133,8 @@ DepthTables read_depth_tables(const std::filesystem::path& folder) {
       {"steady_errors.csv", {"target", "cells_per_radius", "low", "high"}, take_steady},
       {"length_errors.csv",
        {"slugs", "length_over_radius", "cells_per_radius", "error"},
-       take_lengths}};
+       take_lengths},
+      {"divided_errors.csv", {"what", "cells_per_radius", "value", "low", "high"}, take_divided}};
   DepthTables tables;
   for (const File& file : files) {
     const MeasuredTable table = read_measured(file.name, file.columns, folder);

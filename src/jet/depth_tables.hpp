@@ -9,7 +9,8 @@
 namespace barreno {
 
 /// What the cells were measured to do to the depth of a tungsten jet in Berea sandstone, from
-/// src/measured/depths_of_cells.csv, steady_errors.csv and length_errors.csv.
+/// src/measured/depths_of_cells.csv, steady_errors.csv, length_errors.csv and
+/// divided_errors.csv.
 
 /// The jet of perforation.xml, whose depths were measured: its tip.
 inline constexpr double measured_radius = 1e-3;      ///< [length]
@@ -30,6 +31,17 @@ struct LengthError {
   std::array<double, 2> error{};
 };
 
+/// Error of a jet's depth that comes from the size of the cells, depth over true depth less 1.
+struct DepthError {
+  double value = 0.0;            ///< what perforation.xml had at the same cells and depth
+  double low = 0.0, high = 0.0;  ///< range of all measurements with the same cells
+};
+/// Of jets that break, with particles that are divided (jet/divided_error.hpp).
+struct DividedError {
+  double cells_per_radius = 0.0;
+  DepthError depth, probed;
+};
+
 struct DepthTables {
   std::string problem;                 ///< why nothing is known, for a sentence; empty: it is
   std::vector<double> times;           ///< [time]
@@ -41,8 +53,9 @@ struct DepthTables {
   std::vector<double> finest;
   std::vector<SteadyError> steady;  ///< rows as those of depths
   std::array<double, 2> length_cells{};
-  std::vector<LengthError> lengths;  ///< the shortest slugs first
-  std::size_t own_length = 0;        ///< which of them is of the slugs of `depths`
+  std::vector<LengthError> lengths;   ///< the shortest slugs first
+  std::size_t own_length = 0;         ///< which of them is of the slugs of `depths`
+  std::vector<DividedError> divided;  ///< the largest cells first
 };
 
 /// @param folder  of the files; empty: where they are installed. Files that are missing, broken or

@@ -2,6 +2,7 @@
 #include "jet/estimate.hpp"
 
 #include "base/numbers.hpp"
+#include "jet/divided_error.hpp"
 #include "jet/kinds.hpp"
 #include "jet/path.hpp"
 #include "jet/rest.hpp"
@@ -177,6 +178,7 @@ SlugCells slug_cells(const Scene& scene, double JetSlug::*length) {
 }
 
 DepthDoubt depth_doubt(const Scene& scene, double time, double depth, const DepthTables& tables) {
+  if (is_divided(scene)) return divided_depth_doubt(scene, time, tables);
   const JetEstimate estimate = estimate_jet(scene, time);
   DepthDoubt doubt;
   doubt.cells_per_radius = estimate.thinnest / cell_size_of_path(scene);

@@ -2,6 +2,7 @@
 #include "output/result_numbers.hpp"
 
 #include "files/text_file.hpp"
+#include "jet/divided_error.hpp"
 #include "jet/estimate.hpp"
 #include "output/progress.hpp"
 #include "output/share_numbers.hpp"
@@ -70,6 +71,11 @@ std::vector<std::string> result_numbers(
     lines.push_back(
         "error of the depth from the size of the cells: " +
         depth_doubt_text(depth_doubt(scene, totals.time, penetration))
+    );
+  if (penetration.met && is_divided(scene))
+    lines.push_back(
+        "error of the depth of the hole that is as wide as the jet: " +
+        depth_doubt_text(probed_depth_doubt(scene, totals.time, penetration))
     );
   const Ledger& ledger = totals.ledger;
   const NumericalEnergy energy = numerical_energy(ledger);

@@ -6,6 +6,7 @@
 #include "base/utf8.hpp"
 #include "base/work_counts.hpp"
 #include "jet/channel.hpp"
+#include "jet/divided_error.hpp"
 #include "jet/estimate.hpp"
 #include "output/share_numbers.hpp"
 #include "scene/input_speeds.hpp"
@@ -139,10 +140,8 @@ void put_resolution(Json& json, const Scene& scene, const Penetration& p) {
   }
 }
 
-/// What the cells were measured to do to the depth, or why that is unknown and what to do.
-void put_depth_error(Json& json, const Scene& scene, double time, const Penetration& p) {
-  const DepthDoubt doubt = depth_doubt(scene, time, p);
-  Json& error = json["depth_error"];
+/// What the cells were measured to do to a depth, or why that is unknown and what to do.
+void put_depth_error(Json& error, const DepthDoubt& doubt) {
   if (!doubt.unknown.empty()) {
     error["unknown"] = as_utf8(doubt.unknown);
     error["advice"] = unknown_error_advice;
@@ -172,7 +171,10 @@ void put_penetration(
   reached["jet_mass_inside"] = number(p.jet_mass_inside);
   reached["tip_velocity"] = number(p.tip_velocity);
   if (scene.jet.present) put_resolution(reached, scene, p);
-  if (p.met) put_depth_error(reached, scene, time, p);
+  if (!p.met) return;
+  put_depth_error(reached["depth_error"], depth_doubt(scene, time, p));
+  if (is_divided(scene))
+    put_depth_error(reached["probed_depth_error"], probed_depth_doubt(scene, time, p));
 }
 
 /// What crushing and dilation have made of the rock around the hole.

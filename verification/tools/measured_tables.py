@@ -6,6 +6,7 @@ Digits are those of the results files: a power of ten moves the point, nothing i
 import json
 from decimal import Decimal
 
+from tools import depth_shots_table
 from tools.case_list import RESULTS
 from tools.uniform_cells import read
 
@@ -63,6 +64,17 @@ def length_errors():
     return table(head, ("slugs", "length_over_radius", "cells_per_radius", "error"), sorted(kept, key=lambda row: float(row[1])))
 
 
+def divided_errors():
+    head = (
+        "# Relative error of the depth, and of the depth of the hole that is as wide as the jet, of perforation_at_rest.xml with divided\n"
+        "# particles of the jet and so many cells per radius of its tip.\n"
+    )
+    head += HEAD.format("depth_shots.json and depth_at_rest.json of verification/results")
+    rows = [(what, f"{cells:g}", *(f"{number:.4f}" for number in error))
+            for cells, errors in depth_shots_table.errors().items() for what, error in errors.items()]  # fmt: skip
+    return table(head, ("what", "cells_per_radius", "value", "low", "high"), rows)
+
+
 def files():
     """{file: text}"""
-    return {f"src/measured/{make.__name__}.csv": make() for make in (depths_of_cells, steady_errors, length_errors)}
+    return {f"src/measured/{make.__name__}.csv": make() for make in (depths_of_cells, steady_errors, length_errors, divided_errors)}

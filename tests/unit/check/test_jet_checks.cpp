@@ -8,6 +8,7 @@
 #include "jet/depth.hpp"
 #include "jet/depth_error.hpp"
 #include "jet/depth_tables.hpp"
+#include "jet/divided_error.hpp"
 #include "jet/estimate.hpp"
 #include "scene/jet_kinds.hpp"
 #include "support/scenes.hpp"
@@ -520,6 +521,82 @@ TEST(PredictCost, SeesTheSpeedThatALongWaveHasInItsBody) {
   EXPECT_LT(stable_step_of_scene(scene, false), 0.01 * at_rest);
   scene.bodies[0].velocity_wave_number = {0.0, 1e-6, 0.0};  // 10 1/s times y
   EXPECT_NEAR(stable_step_of_scene(scene, false), at_rest, 1e-3 * at_rest);
+}
+
+/// A jet like that of perforation_at_rest.xml, with divided particles.
+Scene divided_scene() {
+  Scene scene = jet_scene({slug(0, 7830, 1e-3, 0.55e-3), slug(250e-6, 600, 2.2e-3, 0.17e-3)});
+  JohnsonCook::Parameters p = tungsten_parameters();
+  p.spall_stress = 2e9;
+  scene.materials[0] = tungsten(p);
+  scene.jet.splits = 4;
+  scene.jet.particles_per_cell = 2;
+  scene.jet.cells_per_radius = 1.8;
+  scene.grid.cell_size = 1e-3 / 1.8;
+  scene.bodies[1].shape = Box{{0, border, 0}, {0.05, 1.0, 0}};
+  scene.end_time = 300e-6;
+  return scene;
+}
+
+TEST(DividedError, IsThatOfTheTableAndBetweenItsCells) {
+  const DividedError &coarse = tables.divided[0], &fine = tables.divided[1];
+  Penetration found;
+  found.met = true;
+  found.depth = found.probed_depth = 0.3;
+  Scene scene = divided_scene();
+  const auto with_cells = [&](double cells) {
+    scene.grid.cell_size = 1e-3 / cells;
+    return depth_doubt(scene, 200e-6, found);
+  };
+  EXPECT_EQ(with_cells(1.8).unknown, "");
+  for (const DividedError* one : {&coarse, &fine}) {
+    const DepthDoubt depth = with_cells(one->cells_per_radius);
+    EXPECT_NEAR(depth.error.low, one->depth.low, 1e-9);
+    EXPECT_NEAR(depth.error.high, one->depth.high, 1e-9);
+    const DepthDoubt probed = probed_depth_doubt(scene, 200e-6, found);
+    EXPECT_EQ(probed.unknown, "");
+    EXPECT_NEAR(probed.error.value, one->probed.value, 1e-9);
+    EXPECT_NEAR(probed.error.low, one->probed.low, 1e-9);
+  }
+  const DepthDoubt middle = with_cells(std::sqrt(coarse.cells_per_radius * fine.cells_per_radius));
+  EXPECT_NEAR(middle.error.value, 0.5 * (coarse.depth.value + fine.depth.value), 1e-9);
+}
+
+TEST(DividedError, OfTheDepthEndsWithTheMeasurementsAndThatOfTheWideHoleDoesNot) {
+  const Scene scene = divided_scene();
+  Penetration found;
+  found.met = true;
+  EXPECT_EQ(depth_doubt(scene, 300e-6, found).unknown, "");
+  EXPECT_TRUE(says(depth_doubt(scene, 301e-6, found).unknown, "until 300 us only; what a hole"));
+  EXPECT_EQ(probed_depth_doubt(scene, 560e-6, found).unknown, "");
+  found.through = true;
+  EXPECT_TRUE(says(probed_depth_doubt(scene, 560e-6, found).unknown, "out of the rear"));
+}
+
+TEST(DividedError, IsUnknownOfOtherJets) {
+  const auto unknown = [](const auto& change) {
+    Scene scene = divided_scene();
+    change(scene);
+    return probed_depth_doubt(scene, 200e-6, Penetration{}).unknown;
+  };
+  EXPECT_EQ(unknown([](Scene&) {}), "");
+  EXPECT_TRUE(says(unknown([](Scene& s) { s.jet.splits = 3; }), "divided 4 times only"));
+  EXPECT_TRUE(says(unknown([](Scene& s) { s.jet.particles_per_cell = 4; }), "with 2 per cell only")
+  );
+  EXPECT_TRUE(
+      says(unknown([](Scene& s) { s.jet.slugs.front().velocity = 6000; }), "a tip of 7830 m/s only")
+  );
+  EXPECT_TRUE(
+      says(unknown([](Scene& s) { s.jet.slugs.front().radius = 0.7e-3; }), "a radius of 1 mm")
+  );
+  EXPECT_TRUE(says(
+      unknown([](Scene& s) { s.jet.slugs.front().length = 1e-3; }), "0.55 times as long as their"
+  ));
+  EXPECT_TRUE(says(unknown([](Scene& s) { s.grid.cell_size = 1e-3; }), "cells per radius only"));
+  EXPECT_TRUE(
+      says(unknown([](Scene& s) { s.jet.kind = JetKind::continuous; }), "discrete jets only")
+  );
+  EXPECT_TRUE(says(unknown([](Scene& s) { s.step.shape = "CPDI"; }), "Shape Function GIMP only"));
 }
 
 }  // namespace

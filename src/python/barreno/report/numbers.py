@@ -11,6 +11,16 @@ def count_text(cells):
     return f"{text} cell" if text == "1" else f"{text} cells"
 
 
+def error_words(error):
+    """What a summary says of the error of a depth."""
+    if "value" in error:
+        return (
+            f"; error from the size of the cells {error_text(error)} at {count_text(error['cells_per_radius'])} per jet radius, as "
+            f"{error['source']}"
+        )
+    return f"; error from the size of the cells {unknown_text(error)}" if "unknown" in error else ""
+
+
 def depth_text(depth, penetration):
     """The depth with its interval: of a convergence study of the deck, or else the error that was measured with cells of that size."""
     if depth["depth"] <= 0.0:
@@ -27,14 +37,7 @@ def depth_text(depth, penetration):
         alone = "the two smallest, which agree" if study.get("verdict") == "two agree" else "spread, without an order"
         what = "grid convergence index" if study["extrapolated"] is not None else alone
         text += f"; {study['low'] / MILLI:.1f} to {study['high'] / MILLI:.1f} mm by cells of {cells} mm ({what})"
-    if "value" in error:
-        text += (
-            f"; error from the size of the cells {error_text(error)} at {count_text(error['cells_per_radius'])} per jet radius, as "
-            f"{error['source']}"
-        )
-    elif "unknown" in error:
-        text += f"; error from the size of the cells {unknown_text(error)}"
-    return text
+    return text + error_words(error)
 
 
 def depth_interval(depth, penetration):
@@ -70,9 +73,10 @@ def rest_rows(penetration):
 
 def probe_rows(depth, penetration):
     """How far the hole is as wide as the jet; of runs that know it."""
-    if not {"probed_depth"} <= set(depth) or penetration.get("cells_per_radius") is None:
+    if "probed_depth" not in depth or penetration.get("cells_per_radius") is None:
         return []
-    return [("as wide as the jet's widest slug", f"to {depth['probed_depth'] / MILLI:.2f} mm")]
+    error = penetration.get("probed_depth_error", {})
+    return [("as wide as the jet's widest slug", f"to {depth['probed_depth'] / MILLI:.2f} mm" + error_words(error))]
 
 
 def depth_rows(summary, depth):

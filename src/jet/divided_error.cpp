@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jet/divided_error.hpp"
+
+#include "base/format.hpp"
+#include "jet/failure.hpp"
+#include "scene/jet.hpp"
+
+#include <cmath>
+
+namespace barreno {
+namespace {
+
+/// The jet of perforation_at_rest.xml and the other shots of verification/results/depth_shots.json.
+constexpr int measured_splits = 4, measured_particles_per_cell = 2;
+constexpr double measured_end = 300e-6;   ///< with the measured radius and tip velocity [time]
+constexpr double measured_length = 0.55;  ///< of the tip's slug, in radii
+constexpr double slowest_slug = 400.0;    ///< [velocity]
+constexpr double least_filled = 0.051;
+/// How far another jet may be from it. Jets slower by a seventh to faster by a tenth, and thinner
+/// by a fifth to wider by a quarter, were run.
+constexpr double farthest_jet = 1.25;
+constexpr double round_off = 1e-6;
+
+bool is_like(double ratio) {
+  return ratio < farthest_jet * (1.0 + round_off) && ratio > (1.0 - round_off) / farthest_jet;
+}
+
+std::string why_jet_unknown(const Scene& scene, const JetEstimate& estimate) {
+  if (scene.jet.particles_per_cell != measured_particles_per_cell)
+    return format(
+        "of divided particles it was measured with %d per cell only", measured_particles_per_cell
+    );
+  if (!is_like(scene.jet.slugs.front().velocity / measured_velocity))
+    return format("it was measured with a tip of %g m/s only", measured_velocity);
+  if (!is_like(estimate.thinnest / measured_radius))
+    return format("it was measured with a radius of %g mm only", 1e3 * measured_radius);
+  if (!is_like(estimate.length / estimate.thinnest / measured_length))
+    return format("it was measured with slugs %g times as long as their radius", measured_length);
+  if (estimate.slowest * farthest_jet < slowest_slug)
+    return format("it was measured with slugs faster than %g m/s only", slowest_slug);
+  if (estimate.least_filled * farthest_jet < least_filled)
+    return format(
+        "it was measured with slugs that fill at least %g of their flight only", least_filled
+    );
+  return {};
+}
+
+std::string why_cells_unknown(const DepthTables& tables, double cells) {
+  const double fewest = tables.divided.front().cells_per_radius;
+  const double most = tables.divided.back().cells_per_radius;
+  if (cells >= fewest * (1.0 - round_off) && cells <= most * (1.0 + round_off)) return {};
+  return format(
+      "of divided particles it was measured with %g to %g cells per radius only", fewest, most
+  );
+}
+
+/// Between the cells that were measured, over their logarithm.
+DepthError error_with(const DepthTables& tables, double cells, DepthError DividedError::*whose) {
+  std::size_t upper = 1;
+  while (upper + 1 < tables.divided.size() && cells > tables.divided[upper].cells_per_radius)
+    ++upper;
+  const DividedError &coarse = tables.divided[upper - 1], &fine = tables.divided[upper];
+  const double from = std::log(coarse.cells_per_radius), to = std::log(fine.cells_per_radius);
+  const double part = (std::log(cells) - from) / (to - from);
+  const auto between = [&](double DepthError::*of) {
+    return (1.0 - part) * (coarse.*whose).*of + part * (fine.*whose).*of;
+  };
+  return {between(&DepthError::value), between(&DepthError::low), between(&DepthError::high)};
+}
+
+DepthDoubt doubt_of(
+    const Scene& scene, double time, const DepthTables& tables, DepthError DividedError::*whose
+) {
+  const JetEstimate estimate = estimate_jet(scene, time);
+  const double cell = cell_size_of_path(scene);
+  DepthDoubt doubt;
+  doubt.cells_per_radius = estimate.thinnest / cell;
+  doubt.cells_per_length = estimate.length / cell;
+  doubt.unknown = estimate.thinnest == 0.0 ? "the jet does not reach a target by then"
+                                           : why_scene_unmeasured(tables, scene);
+  if (doubt.unknown.empty()) doubt.unknown = why_jet_unknown(scene, estimate);
+  if (doubt.unknown.empty()) doubt.unknown = why_cells_unknown(tables, doubt.cells_per_radius);
+  if (doubt.unknown.empty()) doubt.error = error_with(tables, doubt.cells_per_radius, whose);
+  return doubt;
+}
+
+/// The end of what was measured, for this jet.
+double end_of(const Scene& scene) {
+  return measured_end * measured_velocity / scene.jet.slugs.front().velocity;
+}
+
+}  // namespace
+
+bool is_divided(const Scene& scene) {
+  return scene.jet.present && scene.jet.splits >= measured_splits &&
+         breaks(scene.materials[static_cast<std::size_t>(scene.jet.material)]);
+}
+
+DepthDoubt divided_depth_doubt(const Scene& scene, double time, const DepthTables& tables) {
+  DepthDoubt doubt = doubt_of(scene, time, tables, &DividedError::depth);
+  const double end = end_of(scene);
+  if (doubt.unknown.empty() && time > end * (1.0 + round_off))
+    doubt.unknown = format(
+        "it was measured until %.3g us only; what a hole narrower than the jet grows later follows "
+        "the cells",
+        1e6 * end
+    );
+  return doubt;
+}
+
+DepthDoubt probed_depth_doubt(
+    const Scene& scene, double time, const Penetration& found, const DepthTables& tables
+) {
+  DepthDoubt doubt;
+  if (!is_divided(scene))
+    doubt.unknown =
+        format("it was measured with particles that are divided %d times only", measured_splits);
+  else if (found.through)
+    doubt.unknown = "the jet has come out of the rear of the target";
+  else
+    doubt = doubt_of(scene, time, tables, &DividedError::probed);
+  return doubt;
+}
+
+}  // namespace barreno

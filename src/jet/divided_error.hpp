@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "jet/depth.hpp"
+#include "jet/estimate.hpp"
+
+namespace barreno {
+
+/// The jet breaks, and its particles are divided as often as in the shots with which the error of
+/// such jets was measured (docs/trade.md, Depth at rest). Its metal does not pile up then, so the
+/// error is not that of jets whose particles stay whole.
+bool is_divided(const Scene& scene);
+
+/// What the cells do to the depth of such a jet. A thread of spent metal goes on when the hole as
+/// wide as the jet no longer grows, so the error of the depth is not known to the end; that of
+/// Penetration::probed_depth is.
+DepthDoubt divided_depth_doubt(
+    const Scene& scene, double time, const DepthTables& tables = depth_tables()
+);
+
+/// What they do to Penetration::probed_depth of a run; unknown of all jets but these.
+DepthDoubt probed_depth_doubt(
+    const Scene& scene,
+    double time,
+    const Penetration& found,
+    const DepthTables& tables = depth_tables()
+);
+
+}  // namespace barreno

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Errors of depths with divided particles of the jet, from depth_shots.json and depth_at_rest.json of verification/results; and a part of
+docs/trade.md."""
+import json
+
+from tools.case_list import RESULTS
+from tools.depth_shots import TIMES
+
+DECK = "the deck"
+FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
+REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
+# Single runs that should agree differ: twice the standard deviation of one that docs/trade.md has where most of the depth is dug.
+SCATTER = 0.03
+WHAT = {"depth": "depth", "probed depth": "probed_depth"}  # in words: in the file
+FINER = "bounded/3.2/2+4"  # of depth_at_rest.json, whose times it has up to 280 us
+FINER_TIMES = (20, 60, 90, 120, 150, 200, 240, 280)
+
+
+def shots():
+    """{shot: {cells: what was measured}}"""
+    found = json.loads((RESULTS / "depth_shots.json").read_text())
+    return {shot: {float(cells): one for cells, one in runs.items()} for shot, runs in found.items()}
+
+
+def times_of(what):
+    return [REST] if what == "probed depth" else [time for time in TIMES if time >= FROM]
+
+
+def at(one, what, time):
+    return one[WHAT[what]][TIMES.index(time)]
+
+
+def changes(coarse, fine, what):
+    """Depth with some cells over that with smaller ones, less 1, at every time that counts."""
+    return [at(coarse, what, time) / at(fine, what, time) - 1.0 for time in times_of(what)]
+
+
+def doubt(runs, what):
+    """How far the smallest cells may be from the truth: from still smaller ones at least, where those were run; as far as the next larger
+    ones are from them, else."""
+    *_, before, finest = sorted(runs)
+    if what == "probed depth":
+        return max(map(abs, changes(runs[before], runs[finest], what)))
+    finer = json.loads((RESULTS / "depth_at_rest.json").read_text())[FINER]["depths"]
+    return max(abs(at(runs[finest], what, time) / finer[FINER_TIMES.index(time)] - 1.0) for time in FINER_TIMES if time >= FROM)
+
+
+def errors():
+    """{cells per radius: {what: (value, low, high)}} of the deck: its last error; and the range of those at every time that counts, widened
+    by what the smallest cells lack and by the scatter of runs."""
+    runs = shots()[DECK]
+    finest = max(runs)
+    found = {}
+    for cells in sorted(runs):
+        for what in WHAT:
+            all_of = changes(runs[cells], runs[finest], what)
+            more = doubt(runs, what) + SCATTER
+            found.setdefault(cells, {})[what] = (all_of[-1], min(all_of) - more, max(all_of) + more)
+    return found
+
+
+def covered(depth, error, truth):
+    """Whether the interval of a depth holds another depth."""
+    _, low, high = error
+    return depth / (1.0 + high) <= truth <= depth / (1.0 + low)
+
+
+def trials():
+    """(shot, cells, smallest cells, what, depth, interval, depth with the smallest cells, whether the interval holds it) of all shots"""
+    known = errors()
+    for shot, runs in shots().items():
+        finest = max(runs)
+        for cells in sorted(runs):
+            for what in WHAT if cells < finest and cells in known else ():
+                depth, truth = (at(runs[c], what, REST) for c in (cells, finest))
+                _, low, high = known[cells][what]
+                interval = depth / (1.0 + high), depth / (1.0 + low)
+                yield shot, cells, finest, what, depth, interval, truth, covered(depth, known[cells][what], truth)
+
+
+HEAD = f"""How wide the hole must be decides whether its depth is known. The thread is thinner than the jet. Where the hole is as wide as the widest
+slug, so that a probe of that diameter comes down (`probed_depth` in depth.csv and on the screen), it no longer grows after
+{REST} us, and its depth hardly follows the cells. Shots unlike the deck, with divided particles, at that time
+(`verification/depth_shots.py BARRENO`; the depth, and how far the hole is as wide as the jet [mm]; the interval is that of the program, from
+the first shot alone):
+"""
+
+
+def table():
+    lines = ["| shot | cells per radius | depth of | depth [mm] | interval [mm] | with smaller cells [mm] | their cells per radius | held |",
+        "|---|---|---|---|---|---|---|---|"]  # fmt: skip
+    for shot, cells, finest, what, depth, (low, high), truth, held in trials():
+        words = "the tip" if what == "depth" else "the hole as wide as the jet"
+        lines.append(f"| {shot} | {cells:g} | {words} | {1e3 * depth:.0f} | {1e3 * low:.0f} to {1e3 * high:.0f} | {1e3 * truth:.0f} | {finest:g} | "
+            f"{'yes' if held else 'no'} |")  # fmt: skip
+    return lines
+
+
+def summary():
+    """How many intervals hold the depth with smaller cells, apart from the shot that made them."""
+    for what in WHAT:
+        all_of = [one for one in trials() if one[3] == what and one[0] != DECK]
+        held = sum(one[-1] for one in all_of)
+        words = "the depth" if what == "depth" else "the depth of the hole as wide as the jet"
+        yield f"Of {len(all_of)} intervals of {words} that the deck did not make, {held} hold the depth with smaller cells."
+
+
+def section():
+    return "\n".join([HEAD, *table(), "", *summary()])
