@@ -14,13 +14,43 @@ import pathlib
 import sys
 
 from tools import foreign_python  # noqa: F401
-from tools.depth_shots import SHOTS, TIMES, settings_of
+from tools.depth_shots import PICTURE, SHOTS, STEP, TIMES, WIDEST, settings_of
 from tools.penetration import between_particles_and_grid
 from tools.runs import run_deck
 from tools.write_pages import write_pages
 
 STORED = pathlib.Path(__file__).resolve().parent / "results" / "depth_shots.json"
 DIVIDED = {"Jet/Particles Per Cell": "2", "Jet/Splits": "4", "Output/Field Interval": "0 us"}
+
+
+def profile_of(folder):
+    """Radius of the hole at the end [mm], every STEP along its depth."""
+    import numpy as np
+
+    import barreno
+
+    hole = barreno.open(folder).hole
+    depths = np.arange(STEP, 1e3 * hole.length, STEP)
+    return [round(float(radius), 3) for radius in np.interp(depths, 1e3 * hole.depth, 1e3 * hole.radius)]
+
+
+def draw(shots):
+    """The hole of the deck with each size of cells."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(figsize=(7.0, 3.2))
+    for cells, one in shots["the deck"].items():
+        radii = one["profile"]
+        axes.plot([STEP * (i + 1) for i in range(len(radii))], radii, label=f"{cells} cells per radius of the tip")
+    axes.axhline(WIDEST, color="k", lw=0.8, ls="--", label="radius of the widest slug")
+    axes.set(xlabel="depth [mm]", ylabel="radius of the hole [mm]", xlim=(0.0, None), ylim=(0.0, 8.0))
+    axes.legend(fontsize=7)
+    axes.grid(alpha=0.3)
+    figure.tight_layout()
+    figure.savefig(PICTURE, dpi=100)
 
 
 def measured(finished, scale):
@@ -31,7 +61,7 @@ def measured(finished, scale):
     at = lambda name: [round(float(depth), 6) for depth in np.interp([1e-6 * scale * time for time in TIMES], table["time"], table[name])]  # noqa: E731
     return {
         "depth": at("depth"), "probed_depth": at("probed_depth"), "channel_volume": summary["penetration"]["channel_volume"],
-        "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
+        "profile": profile_of(finished.folder), "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
     }  # fmt: skip
 
 
@@ -52,6 +82,7 @@ def main():
             found = json.loads(STORED.read_text()) if STORED.exists() else {}
             found.setdefault(shot, {})[cells] = one
             STORED.write_text(json.dumps({name: found[name] for name in SHOTS if name in found}, indent=1) + "\n")
+    draw(json.loads(STORED.read_text()))
     write_pages()
     return 0
 

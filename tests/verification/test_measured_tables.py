@@ -3,7 +3,7 @@
 """The measured numbers of the program are written with the digits of their results, and a measurement changes its own rows alone."""
 import unittest
 
-from tools import measured_tables
+from tools import depth_shots_table, measured_tables
 import predictions
 from tools.uniform_cells import read
 
@@ -43,6 +43,27 @@ class MeasuredTables(unittest.TestCase):
         rows = {line.rsplit(",", 3)[0] for line in predictions.COSTS.read_text().splitlines() if not line.startswith("#")}
         self.assertLessEqual({*predictions.RUN_OF_COST, *predictions.SAME_COST, *predictions.SAME_COST.values()}, rows)
         self.assertLessEqual(set(predictions.RUN_OF_COST.values()), set(predictions.FLOWING))
+
+
+class DividedErrors(unittest.TestCase):
+    """The intervals are made from one shot; the others try them."""
+
+    def test_an_interval_holds_what_lies_in_it(self):
+        error = (-0.05, -0.1, 0.02)
+        for truth, held in ((100.0, True), (111.0, True), (98.1, True), (112.0, False), (97.0, False)):
+            self.assertEqual(depth_shots_table.covered(100.0, error, truth), held, truth)
+
+    def test_every_interval_of_the_wide_hole_holds_the_smaller_cells(self):
+        trials = [one for one in depth_shots_table.trials() if one[3] == "probed depth" and one[0] != depth_shots_table.DECK]
+        self.assertGreaterEqual(len(trials), 2)
+        for shot, cells, finest, _, depth, interval, truth, held in trials:
+            self.assertTrue(held, f"{shot}, {cells} against {finest} cells per radius: {depth} has {interval}, which lacks {truth}")
+
+    def test_the_table_of_the_program_is_that_of_the_results(self):
+        rows = rows_of(measured_tables.divided_errors())
+        self.assertEqual([row[0] for row in rows[:2]], ["depth", "probed depth"])
+        for what, cells, value, low, high in rows:
+            self.assertTrue(float(low) < float(value) < float(high), (what, cells))
 
 
 if __name__ == "__main__":

@@ -3,8 +3,12 @@
 import pathlib
 
 from barreno.runs.csv_table import arrays_of, read_csv
+from tools.case_list import DOCS
 from tools.runs import DECKS, scratch_folder
 
+PICTURE = DOCS / "pictures" / "hole_of_cells.png"
+WIDEST = 2.364  # radius of the widest slug of the deck [mm]
+STEP = 5.0  # of the profile of the hole [mm]
 TABLE = DECKS / "jets" / "tungsten_320.csv"
 TIMES = (20, 60, 90, 120, 150, 200, 240, 280, 300)  # us, of a jet as fast as that of the deck
 

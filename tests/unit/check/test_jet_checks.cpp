@@ -525,7 +525,7 @@ TEST(PredictCost, SeesTheSpeedThatALongWaveHasInItsBody) {
 
 /// A jet like that of perforation_at_rest.xml, with divided particles.
 Scene divided_scene() {
-  Scene scene = jet_scene({slug(0, 7830, 1e-3, 0.55e-3), slug(250e-6, 600, 2.2e-3, 0.17e-3)});
+  Scene scene = jet_scene({slug(0, 7830, 1e-3, 0.55e-3), slug(1.2e-6, 600, 2.2e-3, 0.17e-3)});
   JohnsonCook::Parameters p = tungsten_parameters();
   p.spall_stress = 2e9;
   scene.materials[0] = tungsten(p);

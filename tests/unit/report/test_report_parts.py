@@ -143,6 +143,17 @@ def check_interval():
         0.09) and numbers.depth_interval(0.08, {}) is None
 
 
+def check_wide_hole():
+    depth = {"depth": 0.5, "probed_depth": 0.48}
+    known = {"value": -0.07, "low": -0.1, "high": 0.02, "cells_per_radius": 1.2, "source": "measured"}
+    cells = {"cells_per_radius": {"tip": 1.2}}
+    (words, text), = numbers.probe_rows(depth, {**cells, "probed_depth_error": known})
+    assert words == "as wide as the jet's widest slug" and text.startswith("to 480.00 mm; error from the size of the cells -7 %"), text
+    assert numbers.probe_rows(depth, cells)[0][1] == "to 480.00 mm"
+    assert not numbers.probe_rows({"depth": 0.5}, cells), "a run of another version"
+    assert not numbers.probe_rows(depth, {}), "a formed jet, of which no width is known"
+
+
 def said(*words, code=0):
     """What the command prints, on either stream."""
     out, err = io.StringIO(), io.StringIO()
@@ -245,6 +256,7 @@ def main():
     check_rate()
     check_outline()
     check_interval()
+    check_wide_hole()
     check_doubling()
     check_units()
     check_energy()

@@ -13,6 +13,8 @@ def draw_depth(axes, table, interval):
     time = table["time"] / MICRO
     axes.plot(time, table["depth"] / MILLI, label="deepest jet material")
     axes.plot(time, table["channel_depth"] / MILLI, "--", label="open channel (whole cells)")
+    if "probed_depth" in table:
+        axes.plot(time, table["probed_depth"] / MILLI, ":", label="as wide as the jet's widest slug")
     if interval:
         low, high, words = interval
         axes.errorbar([time[-1]], [0.5 * (low + high) / MILLI], [[0.5 * (high - low) / MILLI]], fmt="none", ecolor="k", capsize=5,
