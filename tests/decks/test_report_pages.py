@@ -99,7 +99,8 @@ def check_names(script):
     reader.UpdateInformation()
     blocks = [reader.GetElementBlockArrayName(i) for i in range(reader.GetNumberOfElementBlockArrays())]
     arrays = [reader.GetElementResultArrayName(i) for i in range(reader.GetNumberOfElementResultArrays())]
-    assert sorted(found["BODIES"] + found["JET"]) == sorted(blocks), (found["BODIES"], found["JET"], blocks)
+    groups = found["TARGET"], found["OTHERS"], found["JET"]
+    assert sorted(sum(groups, [])) == sorted(blocks), (groups, blocks)
     assert found["JET"] == ["Tungsten"] or "Tungsten" not in blocks, found["JET"]
     for array in ("status", "volume_ratio", found["LEFT"][0], found["RIGHT"][0]):
         assert array in arrays, f"VTK knows no {array}: {arrays}"

@@ -14,6 +14,7 @@ from barreno.runs.regular_file import read_bytes
 STYLE = """body { font: 15px/1.45 sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.5em; } h2 { font-size: 1.2em; margin-top: 2em; border-bottom: 1px solid #ccc; }
 table { border-collapse: collapse; margin: 1em 0; } td, th { padding: .2em .8em .2em 0; vertical-align: top; text-align: left; border-bottom: 1px solid #eee; }
+body > table { display: block; overflow-x: auto; }
 figure { margin: 1em 0; } figure img { max-width: 100%; max-height: 60em; } figcaption { color: #555; max-width: 50em; }"""
 LINE, PAGE = 92, 69  # letters and lines of a page of the PDF
 PAPER = (8.27, 11.69)
