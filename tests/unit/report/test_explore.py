@@ -5,6 +5,7 @@ size of a page, and markup in names stays text."""
 import base64
 import contextlib
 import hashlib
+import html
 import io
 import json
 import pathlib
@@ -191,7 +192,7 @@ def check_many_outputs(folder):
     steps = np.array(scene["steps"])
     assert scene["outputs"] == OUTPUTS and 10 < len(steps) < OUTPUTS and steps[0] == 0 and steps[-1] == OUTPUTS - 1, len(steps)
     assert np.ptp(np.diff(steps)) <= 1, "outputs are not evenly spaced"
-    assert f"The view has {len(steps)} of the run&#x27;s {OUTPUTS} outputs" in page or f"The view has {len(steps)} of the run's" in page
+    assert f"The view has {len(steps)} of the run's {OUTPUTS} outputs" in html.unescape(page)
     print(f"a page of {OUTPUTS} outputs of {SIDE * SIDE} particles of noise: {len(page.encode()) / 1e6:.1f} MB with {len(steps)} of them")
 
 

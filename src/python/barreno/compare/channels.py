@@ -22,7 +22,7 @@ from barreno.runs.pictures import save
 from barreno.runs.plots import plt
 
 TALL, LEAST, MOST, WIDEST = 4.2, 1.5, 6.0, 14.0  # of a channel, and of the picture [in]
-MARGIN, ABOVE = 0.6, 0.75  # in, beside a channel, and above and below one that lies
+MARGIN, ABOVE = 0.6, 0.55  # in, beside a channel, and above and below one that lies
 AHEAD = 0.3  # of the length of the hole: rock behind it that is shown
 MILLI = 1e-3
 LONGEST_LINE, LETTERS = 24, 15  # letters over a channel that stands, and an inch over one that lies

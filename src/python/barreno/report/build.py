@@ -2,8 +2,10 @@
 """The report of a run: RUN/report with a page, its pictures, a profile of the hole and a script for ParaView."""
 
 import dataclasses
+import functools
+import sys
 
-from barreno.report.explore import inserted
+from barreno.report.explore import explorable
 from barreno.report.fields import PLASTIC_STRAIN, check_field, known_fields
 from barreno.report.files import make_folder, reading, written, write_text
 from barreno.report.hole import holes_of
@@ -65,7 +67,7 @@ def write_pages(run, fields, hole_of, title, sections, pdf):
         for picture in section.pictures:
             save(picture, folder)
     write_text(folder / "index.md", as_markdown(title, sections))
-    write_text(folder / "index.html", inserted(as_html(title, sections, folder), run, fields, hole_of))
+    write_text(folder / "index.html", explorable(functools.partial(as_html, title, sections, folder), run, fields, hole_of))
     if pdf:
         with written(folder / "report.pdf") as aside:
             write_pdf(aside, title, sections)
@@ -94,4 +96,6 @@ def make_report(folder, wishes=None):
             if walls:
                 write_text(target / "paraview" / WALLS, walls)
             write_text(target / "paraview" / "view.py", view_script(run, fields, wishes.time, WALLS if walls else ""))
+        for remark in run.remarks():
+            print(f"barreno: {on_one_line(remark)}", file=sys.stderr)
     return target / "index.html"

@@ -160,7 +160,8 @@ def energy_section(run):
 def summary_section(run, table):
     history = run.history_table()
     with reading(run.folder / "summary.json"):
-        return Section("", run_rows(run.summary, history.last_row(), table.last_row() if table is not None else {}))
+        rows = run_rows(run.summary, history.last_row(), table.last_row() if table is not None else {})
+    return Section("", rows, run.remarks())
 
 
 def phases_section(run):

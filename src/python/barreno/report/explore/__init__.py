@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The explorable view at the top of a report's page: particles of all outputs, which scripts of the page draw (page/*.js)."""
 
-import html
 import json
 import pathlib
 import re
 
 import numpy as np
+from markupsafe import Markup
 
 from barreno.report.explore.codes import packed
 from barreno.report.explore.curves import depth_plots, energy_plot
@@ -92,7 +92,7 @@ def rubble_of(run, stack, hole_of):
 def scene_of(run, fields, table, hole_of, steps, levels):
     """All that the script needs, as JSON can hold it.
 
-    @param hole_of  as inserted() has it"""
+    @param hole_of  as view_of() has it"""
     file, deck = run.file, run.deck
     stack = Stack(file, steps)
     places, shapes, sizes, largest, areas = stack.places()
@@ -172,23 +172,25 @@ def library(name):
     return f"/*! {name}\n{licence}\n*/\n{BANNER.sub('', file_text(f'third_party/{name}'), 1)}"
 
 
-def inserted(page, run, fields, hole_of):
-    """The page with the view below its title; where the run is too large for one, with a sentence that says so.
+def view_of(run, fields, hole_of, room):
+    """What a page has of the view, in at most so many bytes: {"outputs": sentence, "data": JSON, "scripts": texts}.
 
-    @param hole_of  the hole at an output, as hole.holes_of() has it"""
-    table = run.depth_table()
+    @param hole_of  the hole at an output, as hole.holes_of() has it
+    @raises TooLarge"""
     scripts = [library("uPlot.iife.min.js"), view_script()]
-    style = file_text("third_party/uPlot.min.css") + file_text("page/view.css")
-    view = file_text("page/view.html")
-    room = MOST_BYTES - sum(len(text.encode()) for text in (page, style, view, *scripts)) - 1000
+    styles = [file_text(name) for name in ("third_party/uPlot.min.css", "page/view.css", "page/view.html")]
+    room -= sum(len(text.encode()) for text in (*styles, *scripts)) + 1000
+    with run.particles_read():
+        scene, shown = fitted(run, fields, run.depth_table(), hole_of, room)
+    # Neither JSON, where markup is escaped, nor a script of ours has text that ends its element.
+    return {"outputs": about_outputs(shown, len(run.file.times)), "data": Markup(scene), "scripts": [Markup(text) for text in scripts]}
+
+
+def explorable(page_of, run, fields, hole_of):
+    """A page with the view; where the run is too large for one, with a sentence that says so.
+
+    @param page_of  (view, sentence) to the text of a page"""
     try:
-        with run.particles_read():
-            scene, shown = fitted(run, fields, table, hole_of, room)
+        return page_of(view_of(run, fields, hole_of, MOST_BYTES - len(page_of().encode())), "")
     except TooLarge:
-        words = f"This page has no view to explore: the run's {run.file.elements} particles do not fit into a page of 15 MB."
-        return page.replace("</h1>", f"</h1>\n<p>{words}</p>", 1)
-    view = view.replace("{{outputs}}", html.escape(about_outputs(shown, len(run.file.times))))
-    ends = "".join(f"<script>\n{text}\n</script>\n" for text in scripts)
-    data = f'<script type="application/json" id="explore-data">{scene}</script>\n'
-    head, body = page.replace("</style>", f"\n{style}</style>", 1).split("</h1>", 1)
-    return f"{head}</h1>\n{view}{body.rpartition('</body>')[0]}{data}{ends}</body></html>\n"
+        return page_of(None, f"This page has no view to explore: the run's {run.file.elements} particles do not fit into a page of 15 MB.")
