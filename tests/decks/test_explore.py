@@ -151,6 +151,8 @@ class View:
 
         stage = self.part("stage")
         right, down = (along, across) if self.lying else (across, along)
+        # Places count from the middle of what the window shows of the stage.
+        self.driver.execute_script("arguments[0].scrollIntoView({block: 'center'});", stage)
         ActionChains(self.driver).move_to_element_with_offset(stage, int(right * stage.size["width"]),
             int(down * stage.size["height"])).perform()
         self.settle()

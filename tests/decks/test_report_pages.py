@@ -43,7 +43,7 @@ def check_page(run):
     started("report", run, "--right", "plastic_volume_strain", "--particles", "near tip", "--pdf")
     page = (run / "report" / "index.html").read_text()
     for words in ("data:image/png;base64,", "entrance diameter", "Kozeny", "error from the size of the cells", "remainder of the ledger",
-            "Strength at the tip", "of the jet&#x27;s table has been launched"):
+            "Strength at the tip", "of the jet&#39;s table has been launched"):
         assert words in page, f"the page lacks {words}"
     assert (run / "report" / "report.pdf").stat().st_size > 50_000
     lines = (run / "report" / "profile.csv").read_text().splitlines()
