@@ -13,7 +13,7 @@
 
 plot_packages=(python3 python3-numpy python3-matplotlib)
 table_packages=("${plot_packages[@]}" python3-pandas)
-report_packages=("${table_packages[@]}" python3-netcdf4)
+report_packages=("${table_packages[@]}" python3-netcdf4 python3-jinja2)
 fit_packages=("${plot_packages[@]}" python3-scipy)
 commands=(run resume check jet report flow film join converge sweep compare drive fit import-ups describe python)
 
@@ -314,7 +314,8 @@ carry_out() {  # the words of the command line
       shift
       demand_deck sweep '--vary "Confinement/Pressure=0,34,69 MPa"' "$@"
       check_ranks_in "$@"
-      need_packages "${report_packages[@]}"
+      # SciPy draws Latin hypercubes alone.
+      if [[ " $* " == *latin* ]]; then need_packages "${report_packages[@]}" python3-scipy; else need_packages "${report_packages[@]}"; fi
       prepare OFF
       mpi_environment
       BARRENO_COMMAND="$(printf '%q' "$0") sweep"

@@ -37,6 +37,7 @@ class Barreno(CMakePackage):
         depends_on("py-matplotlib", type="run")
         depends_on("py-pandas", type="run")
         depends_on("py-netcdf4", type="run")
+        depends_on("py-jinja2", type="run")
 
     generator("ninja")
 

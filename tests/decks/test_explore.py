@@ -18,18 +18,27 @@ import sys
 import tempfile
 
 import numpy as np
+import pandas
 import synthetic_run
+from matplotlib.colors import to_rgb
 
+from barreno.report.hole import hole_at
 from barreno.report.particles import ParticleFile
+from barreno.report.pieces import pieces_of
+from barreno.report.run import opened
+from barreno.report.tones import RUBBLE
 from python_commands import said_by
 from tools.runs import run_deck
 
-SHORT = {"Grid/Upper": "{80 mm, 130 mm}", "Bodies/Rock/Upper": "{50.8 mm, 112.7 mm}", "Time/End Time": "12 us",
-    "Output/Field Interval": "4 us", "Output/Checkpoint Wall Interval": "0 s", "Jet/Cells Per Radius": "1"}
+SHORT = {"Grid/Upper": "{80 mm, 130 mm}", "Bodies/Rock/Upper": "{50.8 mm, 112.7 mm}", "Time/End Time": "6 us",
+    "Output/Field Interval": "2 us", "Output/Checkpoint Wall Interval": "0 s", "Jet/Cells Per Radius": "1"}
+LONG = {**SHORT, "Bodies/Rock/Upper": "{22 mm, 112.7 mm}", "Bodies/Casing/Upper": "{22 mm, 12.7 mm}",
+    "Time/End Time": "12 us", "Output/Field Interval": "4 us"}
 FLAGS = ("headless=new", "no-sandbox", "disable-gpu", "disable-quic", "no-first-run", "disable-background-networking",
     "disable-component-update", "disable-sync", "disable-default-apps", "disable-dev-shm-usage", "window-size=1366,768")
 BAD = "<script>document.title='bad'</script>"
 PATIENCE = 60  # s
+CELL = 2.0  # mm, of the runs here: no particle is larger
 SKIPPED = 77  # what ctest counts as skipped
 NUMBER = re.compile(r"(-?[\d.]+(?:e[+-]?\d+)?) ± ([\d.]+(?:e[+-]?\d+)?)")
 
@@ -72,6 +81,7 @@ class View:
         self.until(lambda: self.text("when") or self.shown("why"))
         assert not self.shown("why"), self.text("why")
         self.settle()
+        self.lying = "explore-lying" in self.part("").get_attribute("class")
 
     def until(self, found):
         from selenium.webdriver.support.ui import WebDriverWait
@@ -83,7 +93,7 @@ class View:
         self.driver.execute_async_script("const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()));")
 
     def part(self, name):
-        return self.driver.find_element("id", f"explore-{name}")
+        return self.driver.find_element("id", f"explore-{name}" if name else "explore")
 
     def text(self, name):
         return self.driver.execute_script("return document.getElementById(arguments[0])?.textContent ?? '';", f"explore-{name}")
@@ -119,12 +129,31 @@ class View:
     def pixels(self):
         return self.driver.execute_script("return document.getElementById('explore-particles').toDataURL();")
 
-    def hover(self, across, down):
-        """{line: value} at a part of the stage, from -0.5 to 0.5 of its size off its middle."""
+    def halves(self):
+        """The picture's half of the left field, and that of the right one, where the axis is in the middle."""
+        return self.driver.execute_script("""
+            const canvas = document.getElementById('explore-particles'), {width, height} = canvas;
+            const [wide, high] = arguments[0] ? [width, height / 2 - 2] : [width / 2 - 2, height];
+            return [[0, 0], [width - wide, height - high]].map(([x, y]) => {
+              const part = Object.assign(document.createElement('canvas'), {width: wide, height: high});
+              part.getContext('2d').drawImage(canvas, -x, -y);
+              return part.toDataURL();
+            });""", self.lying)
+
+    def names(self):
+        """Of the axes: across y, and along y."""
+        return self.part("marks").get_attribute("aria-label").split("; ")
+
+    def hover(self, across, along):
+        """{line: value} at a part of the stage, from -0.5 to 0.5 of its size off its middle; along y is to the right in a view that
+        lies."""
         from selenium.webdriver.common.action_chains import ActionChains
 
         stage = self.part("stage")
-        ActionChains(self.driver).move_to_element_with_offset(stage, int(across * stage.size["width"]),
+        right, down = (along, across) if self.lying else (across, along)
+        # Places count from the middle of what the window shows of the stage.
+        self.driver.execute_script("arguments[0].scrollIntoView({block: 'center'});", stage)
+        ActionChains(self.driver).move_to_element_with_offset(stage, int(right * stage.size["width"]),
             int(down * stage.size["height"])).perform()
         self.settle()
         lines = self.driver.execute_script(
@@ -133,6 +162,11 @@ class View:
 
     def markers(self):
         return self.driver.execute_script("return [...document.querySelectorAll('.explore-now')].map(one => parseFloat(one.style.left));")
+
+    def curves(self):
+        """{curve: number beside its name}"""
+        words = self.driver.execute_script("return [...document.querySelectorAll('.explore-curve span')].map(one => one.textContent);")
+        return dict(one.rsplit(" ", 1) for one in words)
 
 
 def number_in(text):
@@ -148,12 +182,49 @@ def agrees(text, true, size):
     return slack
 
 
+def loose_of(run, step):
+    """Whether a particle is rubble in the pictures of the report."""
+    with opened(run) as known:
+        frame = known.file.frame(step)
+        shapes, of = frame.shapes
+        found = np.zeros(len(frame.block), bool)
+        found[of] = pieces_of(frame, known.deck, hole_at(known, known.depth_table(), frame)).rubble
+        return found
+
+
+def check_rubble(view, run):
+    """Pieces of rock that the report calls loose are drawn in the colour of rubble, are found as such, and can be left out."""
+    expected = int(loose_of(run, -1).sum())
+    assert expected > 5, f"the run has {expected} loose pieces"
+    colour = ("return [...document.querySelectorAll('#explore-switches label')].find(one => one.textContent === 'rubble')"
+        "?.children[1].style.background;")
+    assert view.driver.execute_script(colour) == "rgb({}, {}, {})".format(*(round(255 * part) for part in to_rgb(RUBBLE)))
+    count = """
+        const canvas = document.getElementById('explore-particles'), copy = document.createElement('canvas');
+        [copy.width, copy.height] = [canvas.width, canvas.height];
+        const pen = copy.getContext('2d', {willReadFrequently: true});
+        pen.drawImage(canvas, 0, 0);
+        const {data} = pen.getImageData(0, 0, copy.width, copy.height);
+        let found = 0;
+        for (let k = 0; k < data.length; k += 4)
+          found += arguments[0].every((part, i) => data[k + i] === part);
+        return found;"""
+    tan = [round(255 * part) for part in to_rgb(RUBBLE)]
+    before = view.pixels()
+    assert view.driver.execute_script(count, tan) > 20
+    view.switch("rubble")
+    assert view.driver.execute_script(count, tan) == 0
+    view.switch("rubble")
+    assert view.pixels() == before
+
+
 def check_values(view, run, step, fields):
     """What stands under the mouse is what particles.e has of that particle, within the precision that stands beside it.
 
     @param fields  {line: (name in the file, its unit in SI)}"""
     file = ParticleFile(run / "particles.e")
     frame = file.frame(step)
+    loose = loose_of(run, step)
     columns, seen = {int(n): i for i, n in enumerate(file.numbers[frame.alive])}, set()
     values = {name: frame.of_alive([name]) for name, _ in fields.values()}
     for across, down in ((-0.3, 0.1), (0.2, 0.2), (0.01, -0.2), (-0.05, -0.05), (0.05, 0.3), (0.33, -0.3), (-0.15, 0.02)):
@@ -162,7 +233,7 @@ def check_values(view, run, step, fields):
             continue
         row = columns[int(lines["particle"])]
         seen.add(row)
-        assert lines["material"] == file.block_names[frame.block[row]], lines
+        assert lines["material"] == file.block_names[frame.block[row]] + (", rubble" if loose[row] else ""), lines
         for line, (name, size) in fields.items():
             if np.isfinite(values[name][row]):
                 slack = agrees(lines[line], values[name][row], size)
@@ -202,6 +273,99 @@ def check_time(view, times):
     assert view.text("when") == at(last) and view.pixels() == before and view.markers() == where
 
 
+def check_instant(view, run, times):
+    """At every output the curves' numbers are those of depth.csv then, and their lines move in proportion to the time."""
+    from selenium.webdriver.common.keys import Keys
+
+    table = pandas.read_csv(run / "depth.csv", comment="#")
+    view.part("time").send_keys(Keys.HOME)
+    where = []
+    for step, time in enumerate(times):
+        view.settle()
+        assert view.text("when").startswith(f"t = {time / 1e-6:.4g} µs"), (view.text("when"), time)
+        depth = float(np.interp(time, table["time"], table["depth"])) / 1e-3
+        assert abs(float(view.curves()["depth"]) - depth) <= 1e-3 * depth + 1e-6, (view.curves(), depth)
+        where.append(view.markers())
+        if step + 1 < len(times):
+            view.part("time").send_keys(Keys.ARROW_RIGHT)
+    part = (times - times[0]) / (times[-1] - times[0])
+    for one in np.transpose(where):
+        assert np.abs(one - (one[0] + part * (one[-1] - one[0]))).max() < 1.0, (one, part)
+
+
+def check_places(view):
+    """The mouse finds particles where the axes say: y and r of what is under it follow its place, r so many times larger than y as the
+    name of its axis has it."""
+    size, found = view.part("stage").size, []
+    ends = ("width", "height") if view.lying else ("height", "width")
+    for across in (-0.4, -0.2, -0.15, 0.1, 0.15, 0.3):
+        for along in (-0.2, 0.0, 0.2, 0.35):
+            lines = view.hover(across, along)
+            if lines["particle"].isdigit():
+                found.append((along * size[ends[0]], abs(across) * size[ends[1]], number_in(lines["y"])[0], number_in(lines["r"])[0]))
+    along, across, y, r = np.transpose(found)
+    slopes = []
+    for pixels, mm in ((along, y), (across, r)):
+        line = np.polyfit(pixels, mm, 1)
+        assert len(found) > 8 and line[0] > 0.0 and np.abs(np.polyval(line, pixels) - mm).max() < CELL, (found, line)
+        slopes.append(float(line[0]))
+    words = re.search(r", ([\d.]+) times larger than y", view.names()[0])
+    stretch = float(words.group(1)) if words else 1.0
+    assert abs(slopes[0] / slopes[1] - stretch) < 0.1 * stretch, (slopes, view.names())
+    return stretch
+
+
+def check_sides(view):
+    """A field chosen for one side changes that side alone."""
+    left, right = view.halves()
+    view.choose("left", "density")
+    assert view.halves()[0] != left and view.halves()[1] == right
+    view.choose("left", "pressure")
+    view.choose("right", "density")
+    assert view.halves()[0] == left and view.halves()[1] != right
+    view.choose("right", "equivalent_plastic_strain")
+    assert view.halves() == [left, right]
+
+
+def check_lying(view, run, times):
+    """A long target lies, its hole over the whole width; closer at the tip proportions are true."""
+    assert view.lying and "above" in view.text("side-left") and "below" in view.text("side-right")
+    stage = view.part("stage")
+    assert stage.size["width"] > 0.9 * view.driver.execute_script("return document.documentElement.clientWidth"), stage.size
+    hole = view.pixels()
+    view.click("whole")
+    assert view.pixels() != hole
+    check_places(view)
+    check_sides(view)
+    view.click("hole")
+    assert view.pixels() == hole
+    check_time(view, times)
+    check_instant(view, run, times)
+    check_fields(view)
+    check_switches(view, "Tungsten")
+    check_rubble(view, run)
+    view.click("whole")
+    check_camera(view)
+    view.click("tip")
+    assert check_places(view) == 1.0
+    check_values(view, run, -1, {"pressure": ("pressure", 1e6)})
+
+
+def check_narrow(view, keep):
+    """In a window of 400 pixels the lying view is in it as a whole, with r drawn larger than y."""
+    view.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": 400, "height": 800, "deviceScaleFactor": 1,
+        "mobile": False})
+    view.settle()
+    view.click("hole")
+    keep("narrow")
+    left, right = view.driver.execute_script("const box = document.getElementById('explore').getBoundingClientRect(); "
+        "return [box.left, box.right];")
+    assert left >= 0 and right <= 400, (left, right)
+    assert check_places(view) > 1.0
+    view.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    view.settle()
+
+
 def check_fields(view):
     """Another field has other colours, another bar and another line under the mouse."""
     before = view.pixels()
@@ -225,9 +389,9 @@ def check_switches(view, jet):
     assert view.pixels() != before and all(view.hover(*spot)["material"] != jet for spot in spots)
     view.switch(f"jet ({jet})")
     assert view.pixels() == before
-    view.switch("plain jet")
+    view.switch("plain jet and rubble")
     assert view.pixels() != before
-    view.switch("plain jet")
+    view.switch("plain jet and rubble")
     marks = "return document.getElementById('explore-marks').toDataURL();"
     without = view.driver.execute_script(marks)
     view.switch("cells")
@@ -248,6 +412,7 @@ def check_camera(view):
     assert tip != whole and view.part("tip").get_attribute("aria-pressed") == "true"
     near = view.hover(-0.1, 0.2)
     assert near["particle"].isdigit() and 10.0 < number_in(near["y"])[0] < 90.0, near
+    assert "times larger" not in view.names()[0], view.names()
     ActionChains(view.driver).click_and_hold(view.part("stage")).move_by_offset(40, 25).release().perform()
     view.settle()
     assert view.pixels() != tip and view.part("tip").get_attribute("aria-pressed") == "false"
@@ -291,33 +456,63 @@ def check_text(driver, folder):
     check_quiet(driver, run / "report" / "index.html")
 
 
+def times_of(run):
+    file = ParticleFile(run / "particles.e")
+    times = file.times
+    file.close()
+    return times
+
+
+def reported(barreno, deck, folder):
+    """The run's folder, with its report."""
+    run = pathlib.Path(run_deck(barreno, "perforation_quick.xml", deck, folder=folder).folder)
+    said_by("barreno.report", "report", run)
+    return run, run / "report" / "index.html"
+
+
+def check_long(driver, barreno, folder, keep):
+    run, page = reported(barreno, LONG, folder / "long")
+    view = View(driver, page)
+    keep("long")
+    check_lying(view, run, times_of(run))
+    keep("long_tip")
+    check_narrow(view, keep)
+    check_quiet(driver, page)
+
+
+def check_wide(driver, barreno, folder, keep):
+    """A target as wide as deep stands while its hole is short."""
+    run, page = reported(barreno, SHORT, folder / "quick")
+    times, view = times_of(run), View(driver, page)
+    keep("whole")
+    assert not view.lying and view.text("side-left") == "left"
+    check_time(view, times)
+    check_instant(view, run, times)
+    check_fields(view)
+    check_sides(view)
+    assert check_places(view) == 1.0
+    check_camera(view)
+    check_switches(view, "Tungsten")
+    view.click("tip")
+    keep("tip")
+    check_values(view, run, -1, {"pressure": ("pressure", 1e6)})
+    view.choose("right", "density")
+    view.click("back")
+    check_values(view, run, -2, {"pressure": ("pressure", 1e6), "density": ("density", 1.0)})
+    keep("earlier")
+    check_quiet(driver, page)
+    return page
+
+
 def main():
-    keep = pathlib.Path(sys.argv[3]) if sys.argv[2:3] == ["--pictures"] else None
+    pictures = pathlib.Path(sys.argv[3]) if sys.argv[2:3] == ["--pictures"] else None
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         with browser(folder / "profile") as driver:
-            run = pathlib.Path(run_deck(barreno, "perforation_quick.xml", SHORT, folder=folder / "quick").folder)
-            said_by("barreno.report", "report", run)
-            page = run / "report" / "index.html"
-            file = ParticleFile(run / "particles.e")
-            times = file.times
-            file.close()
-            view = View(driver, page)
-            picture = lambda name: keep and driver.save_screenshot(str(keep / f"{name}.png"))  # noqa: E731
-            picture("whole")
-            check_time(view, times)
-            check_fields(view)
-            check_camera(view)
-            check_switches(view, "Tungsten")
-            view.click("tip")
-            picture("tip")
-            check_values(view, run, -1, {"pressure": ("pressure", 1e6)})
-            view.choose("right", "density")
-            view.click("back")
-            check_values(view, run, -2, {"pressure": ("pressure", 1e6), "density": ("density", 1.0)})
-            picture("earlier")
-            check_quiet(driver, page)
+            keep = lambda name: pictures and driver.save_screenshot(str(pictures / f"{name}.png"))  # noqa: E731
+            page = check_wide(driver, barreno, folder, keep)
+            check_long(driver, barreno, folder, keep)
             check_text(driver, folder)
         check_without_scripts(folder, page)
     print("the view to explore does what its controls say")

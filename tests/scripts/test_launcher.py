@@ -31,6 +31,8 @@ exit 0""",
     "ctest": "exit 0",
 }
 
+REPORT_PACKAGES = ["python3", "python3-jinja2", "python3-matplotlib", "python3-netcdf4", "python3-numpy", "python3-pandas"]
+
 
 class Machine:
     """A tree with the launcher, and programs that note their calls."""
@@ -121,7 +123,7 @@ def check_report(machine, folder):
         assert result.returncode == 0 and f"made {list(map(str, words))}" in result.stdout, result.stderr
         (install,) = [call for call in calls if " install " in call]
         packages = install.split("--no-install-recommends ")[1].split()
-        assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy", "python3-pandas"], packages
+        assert sorted(packages) == REPORT_PACKAGES, packages
 
 
 def check_plot(machine):
@@ -164,7 +166,10 @@ def check_sweep(machine, folder):
     assert result.returncode == 0 and f"swept ['{folder / 'a deck.xml'}', '--vary', 'A/B C=1,2 mm']" in result.stdout, result.stderr
     assert re.search(r"a tree/build/release/src/barreno [1-9][0-9]* .*a\\ tree/barreno sweep$", result.stdout.strip()), result.stdout
     packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
-    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-netcdf4", "python3-numpy", "python3-pandas"], packages
+    assert sorted(packages) == REPORT_PACKAGES, packages
+    _, calls = machine.run("sweep", folder / "a deck.xml", "--vary", "A/B C=1..2 mm", "--sample", "latin", "--samples", "4")
+    packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
+    assert sorted(packages) == sorted([*REPORT_PACKAGES, "python3-scipy"]), packages
 
 
 def check_compare(machine, folder):

@@ -10,6 +10,7 @@ Of the values of summaries and decks, each of which is changed in turn, one in N
 """
 import contextlib
 import copy
+import fcntl
 import io
 import json
 import os
@@ -18,6 +19,7 @@ import re
 import shutil
 import signal
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -199,6 +201,29 @@ def changed(tree, path, value):
     return tree
 
 
+def check_remarks(folder):
+    """A run of another version, one that was killed and one that is running have their page, with one sentence."""
+    run = whole_run(folder / "run")
+    summary = json.loads((run / "summary.json").read_text())
+    (run / "summary.json").write_text(json.dumps({**summary, "version": "0.0.7"}))
+    cases = {"was made by Barreno 0.0.7, and this is": lambda: None, "because the run was killed": (run / "summary.json").unlink,
+        "is still running": lambda: held.append(locked(run / "run.lock"))}
+    held = []
+    for expected, change in cases.items():
+        change()
+        code, said = said_by(report, "report", run)
+        assert code == 0 and said.count("\n") == 2 and expected in said.split("\n")[0], (code, said)
+        assert expected in (run / "report" / "index.html").read_text() and expected in (run / "report" / "index.md").read_text()
+    os.close(held[0])
+
+
+def locked(file):
+    """An open file with the lock that a program holds in the folder of its run."""
+    handle = os.open(file, os.O_RDWR | os.O_CREAT, 0o600)
+    fcntl.fcntl(handle, fcntl.F_OFD_SETLK, struct.pack("hhqqi", fcntl.F_WRLCK, os.SEEK_SET, 0, 2, 0))
+    return handle
+
+
 def some(items):
     return items[::EVERY]
 
@@ -305,8 +330,8 @@ def main():
     np.seterr(all="ignore")
     check_last_resort()
     check_plain_logs()
-    for check in (check_dollars, check_swept_dollars, check_bare_python, check_other_kinds, check_odd_summaries, check_odd_files,
-            check_odd_decks):
+    for check in (check_dollars, check_swept_dollars, check_bare_python, check_remarks, check_other_kinds, check_odd_summaries,
+            check_odd_files, check_odd_decks):
         # What a picture is made of is looked at in all checks, how its dots come out in the first ones.
         drawn = contextlib.nullcontext() if check in (check_dollars,
             check_swept_dollars) else unittest.mock.patch("matplotlib.figure.Figure.savefig", laid)

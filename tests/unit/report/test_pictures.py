@@ -10,14 +10,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import to_rgb
 
-from barreno.compare.channels import title_of
-from barreno.report import channel, depth_picture, fields, paraview, pieces, scales, sections, tones
+from barreno.compare.channels import Channel, Layout, box_of, draw_one, layout_of, pieces_in, share_colours, title_of
+from barreno.report import channel, depth_picture, fields, paraview, pieces, scales, tones
 from barreno.report.deck import Deck, read_deck
 from barreno.report.hole import measure_hole
 from barreno.report.legends import covers, place_legends
 from barreno.report.outline import border_of, smoothed
 from barreno.report.particles import ParticleFile
-from barreno.report.view import View, is_long, placed
+from barreno.report.view import STRETCH, View, hole_view, is_long, placed
 from barreno.report.wall import smooth_wall
 from synthetic_run import CELL, jet, lattice, rock, squares, write_run
 
@@ -130,15 +130,15 @@ def check_lying(run):
     figure = channel.draw_channel(run.frame, run.deck, "pressure", "porosity", View(hole=run.hole))
     axes = figure.axes[0]
     assert axes.get_xlabel() == "y [mm]" and axes.get_ylabel() == "r [mm]" and axes.yaxis_inverted() and not axes.xaxis_inverted()
-    view = sections.hole_view(View(hole=run.hole), run.deck)
+    view = hole_view(View(hole=run.hole), run.deck)
     assert view.stretch == 1.0 and view.box[1] == 14.0 and view.box[2] < 0.0 < LENGTH / 1e-3 < view.box[3], view.box
     narrow = types.SimpleNamespace(**{**vars(run.hole), "radius": 0.25 * run.hole.radius, "open_rows": run.hole.open_rows,
         "length": run.hole.length})
-    view = sections.hole_view(View(hole=narrow), run.deck)
+    view = hole_view(View(hole=narrow), run.deck)
     assert view.stretch == 1.0, view  # eight cells on each side are wide enough
     narrow.cell, narrow.length = 0.25 * CELL, 0.2
-    view = sections.hole_view(View(hole=narrow), run.deck)
-    assert view.stretch == sections.STRETCH and "3 times" in view.title, view
+    view = hole_view(View(hole=narrow), run.deck)
+    assert view.stretch == STRETCH and "3 times" in view.title, view
     stretched = channel.draw_channel(run.frame, run.deck, "pressure", "porosity", View(box=(-5.0, 5.0, 0.0, 70.0), stretch=3.0))
     stretched.canvas.draw()
     (left, low), (right, high) = stretched.axes[0].transData.transform([(0.0, 0.0), (10.0, -10.0)])
@@ -189,9 +189,46 @@ def check_titles():
     """Titles are broken between words, never in one."""
     row = types.SimpleNamespace(label="Materials/Sandstone_of_the_north/p0_crush_curve = -1.2e9, another one of many words that wraps",
         depth=lambda: 0.1)
-    lines = title_of(row, types.SimpleNamespace(time=1e-4)).split("\n")
+    stands = Layout(False, 1, 2.0, 5.0, 1)
+    lines = title_of(row, types.SimpleNamespace(time=1e-4), stands).split("\n")
     words = set(row.label.replace(",", "").split())
     assert all(word in words for line in lines[:-1] for word in line.split()) and len(lines) > 3, lines
+
+
+def check_arrows(run):
+    """A bar has an arrow where values go on beyond its end: plastic strain has none below zero."""
+    quads = lambda values, limits: types.SimpleNamespace(get_clim=lambda: limits, get_array=lambda: np.array(values))  # noqa: E731
+    for values, expected in (([0.0, 0.3], "neither"), ([0.0, 2.0], "max"), ([-1.0, 0.5], "min"), ([-1.0, 2.0], "both")):
+        assert scales.arrows_of(quads(values, (0.0, 1.0))) == expected, (values, expected)
+    assert scales.arrows_of(quads([0.0, 0.3], (0.0, 1.0)), quads([0.0, 3.0], (0.0, 1.0))) == "max"
+    figure = channel.draw_channel(run.frame, run.deck, "pressure", "equivalent_plastic_strain", View(hole=run.hole))
+    figure.canvas.draw()
+    bars = [one._colorbar for one in figure.axes if hasattr(one, "_colorbar")]
+    assert len(bars) == 2 and all(bar.extend in ("neither", "max") for bar in bars), [bar.extend for bar in bars]
+    plt.close(figure)
+
+
+def check_matrix(run):
+    """Long channels of a sweep lie below each other, the field of the left above the axis; a long narrow one is stretched and says so."""
+    own = Channel(run.frame, run.deck, pieces.pieces_of(run.frame, run.deck, run.hole))
+    box = box_of([own], True)
+    layout = layout_of([own, own], True, box, None)
+    assert layout.lying and layout.columns == 1 and layout.stretch == 1.0 and layout.lines(2) == 2, layout
+    assert [one.get_label() for one in pieces_in([own, None])] == ["jet", "loose pieces in the hole"]
+    figure, axes, places = layout.figure(2)
+    row = types.SimpleNamespace(label="Pressure = 34 MPa", depth=lambda: 0.06)
+    halves = [draw_one(place, row, own, layout, box) for place in places]
+    for side, of_side in zip(("top", "bottom"), zip(*halves)):
+        share_colours(figure, axes, of_side, side)
+    figure.canvas.draw()
+    (upper,), (lower,) = places
+    assert upper.get_position().y0 > lower.get_position().y1 and upper.yaxis_inverted() and lower.get_xlabel() == "y [mm]"
+    pressure = halves[0][0][0].get_paths()
+    assert max(path.vertices[:, 1].max() for path in pressure) <= 1e-9, "pressure is not above the axis"
+    plt.close(figure)
+    narrow = layout_of([own], True, (-4.0, 4.0, 0.0, 70.0), None)
+    assert narrow.stretch == 3.0 and "radii 3 times larger than depths" in title_of(row, run.frame, narrow), narrow
+    assert not layout_of([own], True, (-30.0, 30.0, 0.0, 60.0), None).lying
 
 
 def check_paraview(run):
@@ -212,7 +249,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         run = long_run(pathlib.Path(scratch))
         check_tones()
-        for check in (check_neutral, check_marks, check_pieces, check_lying, check_lines, check_paraview):
+        for check in (check_neutral, check_marks, check_pieces, check_lying, check_lines, check_arrows, check_matrix, check_paraview):
             check(run)
         check_legends()
         check_titles()

@@ -10,9 +10,9 @@ import warnings
 import barreno
 from barreno.interface import frames
 from barreno.interface.deck import Deck
-from barreno.interface.lock import is_running
 from barreno.runs.faults import FILE, BadRun, Fault, needed, on_one_line
-from barreno.runs.run_folder import progress_of, read_summary
+from barreno.runs.lock import is_running
+from barreno.runs.run_folder import other_version, progress_of, read_summary
 from barreno.runs.words import TIME_UNITS, quantity_of
 
 MICRO = 1e-6
@@ -351,7 +351,6 @@ def open(folder):
     if missing:
         raise Fault(f"{folder} is not the folder of a run (it has no {missing[0]}); give the folder that barreno run named.", FILE)
     version = run.summary.get("version", "") if (run.folder / "summary.json").exists() else ""
-    if version and version != barreno.__version__:
-        warnings.warn(f"{folder} was made by Barreno {version}, and this is {barreno.__version__}; names and meanings of its files may "
-            "differ (CHANGELOG.md).", stacklevel=2)
+    if other_version(folder, version):
+        warnings.warn(other_version(folder, version), stacklevel=2)
     return run

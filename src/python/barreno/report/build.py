@@ -2,18 +2,23 @@
 """The report of a run: RUN/report with a page, its pictures, a profile of the hole and a script for ParaView."""
 
 import dataclasses
+import functools
+import sys
 
-from barreno.report.explore import inserted
+from barreno.report.explore import explorable
 from barreno.report.fields import PLASTIC_STRAIN, check_field, known_fields
 from barreno.report.files import make_folder, reading, written, write_text
+from barreno.report.hole import holes_of
 from barreno.report.pages import as_html, as_markdown, write_pdf
-from barreno.report.paraview import view_script
+from barreno.report.paraview import view_script, walls_text
 from barreno.report.path_section import chosen_paths
 from barreno.report.run import opened
 from barreno.report.sections import all_sections, tip_of
 from barreno.report.strength_picture import NEAR
 from barreno.runs.faults import on_one_line
 from barreno.runs.plots import plt
+
+WALLS = "walls.csv"  # beside the script for ParaView
 
 
 @dataclasses.dataclass
@@ -56,13 +61,13 @@ def save(picture, folder):
         picture.figure.savefig(aside, dpi=130, bbox_inches="tight")
 
 
-def write_pages(run, fields, title, sections, pdf):
+def write_pages(run, fields, hole_of, title, sections, pdf):
     folder = run.folder / "report"
     for section in sections:
         for picture in section.pictures:
             save(picture, folder)
     write_text(folder / "index.md", as_markdown(title, sections))
-    write_text(folder / "index.html", inserted(as_html(title, sections, folder), run, fields))
+    write_text(folder / "index.html", explorable(functools.partial(as_html, title, sections, folder), run, fields, hole_of))
     if pdf:
         with written(folder / "report.pdf") as aside:
             write_pdf(aside, title, sections)
@@ -81,10 +86,16 @@ def make_report(folder, wishes=None):
             sections = all_sections(run, fields, wishes, paths, target)
             with reading(run.folder / "summary.json"):
                 title = on_one_line(run.summary.get("title") or run.folder.resolve().name)
-            write_pages(run, fields, title, sections, wishes.pdf)
+            hole_of = holes_of(run, run.depth_table())
+            write_pages(run, fields, hole_of, title, sections, wishes.pdf)
         finally:
             plt.close("all")
         make_folder(target / "paraview")
         with run.particles_read():
-            write_text(target / "paraview" / "view.py", view_script(run, fields, wishes.time))
+            walls = walls_text(run, hole_of)
+            if walls:
+                write_text(target / "paraview" / WALLS, walls)
+            write_text(target / "paraview" / "view.py", view_script(run, fields, wishes.time, WALLS if walls else ""))
+        for remark in run.remarks():
+            print(f"barreno: {on_one_line(remark)}", file=sys.stderr)
     return target / "index.html"

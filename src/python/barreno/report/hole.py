@@ -8,6 +8,7 @@ axes.
 """
 
 import dataclasses
+import functools
 
 import numpy as np
 
@@ -217,6 +218,11 @@ def measure_hole(frame, deck, face):
     radius = np.mean(radii, axis=0)
     depth = cell / ROWS * (1.0 + np.arange(len(radius)))
     return Hole(cell, face, depth, radius, deck.mode == "plane strain")
+
+
+def holes_of(run, table):
+    """The hole at an output, each measured once."""
+    return functools.cache(lambda step: hole_at(run, table, run.file.frame(step)))
 
 
 def hole_at(run, table, frame):

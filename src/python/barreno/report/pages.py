@@ -2,19 +2,19 @@
 """Sections as Markdown, as one HTML page that needs no network, and as a PDF."""
 
 import base64
-import html
+import functools
+import pathlib
 import textwrap
 
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
 from matplotlib.backends.backend_pdf import PdfPages
 
 from barreno.runs.faults import on_one_line
 from barreno.runs.plots import plt
-from barreno.runs.regular_file import read_bytes
+from barreno.runs.regular_file import read_bytes, read_text
 
-STYLE = """body { font: 15px/1.45 sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em; }
-h1 { font-size: 1.5em; } h2 { font-size: 1.2em; margin-top: 2em; border-bottom: 1px solid #ccc; }
-table { border-collapse: collapse; margin: 1em 0; } td, th { padding: .2em .8em .2em 0; vertical-align: top; text-align: left; border-bottom: 1px solid #eee; }
-figure { margin: 1em 0; } figure img { max-width: 100%; max-height: 60em; } figcaption { color: #555; max-width: 50em; }"""
+HERE = pathlib.Path(__file__).parent
 LINE, PAGE = 92, 69  # letters and lines of a page of the PDF
 PAPER = (8.27, 11.69)
 LETTERS_PER_INCH, GAP = 13, 0.12  # of a caption; inches between it and the picture
@@ -40,30 +40,24 @@ def as_markdown(title, sections):
     return "\n".join(lines)
 
 
-def html_table(heads, rows):
-    head = "<tr>" + "".join(f"<th>{html.escape(one)}</th>" for one in heads) + "</tr>\n" if any(heads) else ""
-    body = "".join("<tr>" + "".join(f"<td>{html.escape(on_one_line(cell))}</td>" for cell in row) + "</tr>\n" for row in rows)
-    return f"<table>\n{head}{body}</table>"
+def encoded(picture, folder):
+    return base64.b64encode(read_bytes(folder / f"{picture.name}.png")).decode("ascii")
 
 
-def html_picture(picture, folder):
-    data = base64.b64encode(read_bytes(folder / f"{picture.name}.png")).decode("ascii")
-    caption = html.escape(picture.caption)
-    return f'<figure><img alt="{html.escape(picture.name)}" src="data:image/png;base64,{data}"><figcaption>{caption}</figcaption></figure>'
+def own_text(name):
+    """A file of this package, which is no text of a run's: it goes into a page as it is."""
+    return Markup(read_text(HERE / name).rstrip())
 
 
-def as_html(title, sections, folder):
-    """@param folder  of the pictures, which the page takes in"""
-    name = html.escape(on_one_line(title))
-    parts = ['<!DOCTYPE html>\n<html lang="en"><head><meta '
-        f'charset="utf-8"><title>{name}</title><style>\n{STYLE}\n</style></head><body>\n<h1>{name}</h1>']
-    for section in sections:
-        parts += [f"<h2>{html.escape(section.title)}</h2>"] if section.title else []
-        parts += [html_table(("", ""), section.rows)] if section.rows else []
-        parts += [f"<p>{html.escape(words)}</p>" for words in section.words]
-        parts += [html_table(section.heads, section.table)] if section.table else []
-        parts += [html_picture(picture, folder) for picture in section.pictures]
-    return "\n".join([*parts, "</body></html>\n"])
+def as_html(title, sections, folder, view=None, sentence=""):
+    """
+    @param folder    of the pictures, which the page takes in
+    @param view      {"outputs": sentence, "data": JSON, "scripts": texts} of the view to explore
+    @param sentence  below the title
+    """
+    pages = Environment(loader=FileSystemLoader(HERE), autoescape=True, undefined=StrictUndefined, keep_trailing_newline=True)
+    pages.filters.update(on_one_line=on_one_line, encoded=functools.partial(encoded, folder=folder))
+    return pages.get_template("page/page.html").render(title=title, sections=sections, view=view, sentence=sentence, own=own_text)
 
 
 def table_text(heads, rows):

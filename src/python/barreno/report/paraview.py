@@ -8,11 +8,12 @@ from matplotlib.colors import to_rgb
 
 from barreno.runs.exodus_sets import files_of
 from barreno.report.fields import look_in, norm_of, range_of, values_of
-from barreno.report.hole import jet_particles
+from barreno.report.explore.stack import steps_between
+from barreno.report.hole import face_of, jet_particles, target_particles
 from barreno.report.particles import areas_of
-from barreno.report.pieces import carried, pieces_of
+from barreno.report.pieces import carried, loose_within, pieces_of
 from barreno.report.run_tables import UNITS
-from barreno.report.tones import JET, VOID, WITHOUT
+from barreno.report.tones import JET, RUBBLE, VOID, WITHOUT
 from barreno.report.view import MILLI, is_long, span_of
 from barreno.report.view_template import TEMPLATE
 from barreno.runs.plots import plt
@@ -20,6 +21,7 @@ from barreno.runs.plots import plt
 # The reader joins velocity_x and velocity_y into the vector "velocity_".
 VECTORS = ("velocity_", "darcy_velocity_")
 COLOURS = 33  # of a scale of colours
+MOST_WALLS = 60  # outputs whose hole is written; at other times rubble is found by the one before
 ALONG, EDGE, BAR_LYING, BAR_UPRIGHT = 1400, 100, 150, 200  # pixels: along a picture, and what is left around it
 
 
@@ -73,11 +75,25 @@ def page_of(frame, mirrored, lying):
 
 
 def blocks_of(frame, deck):
-    """(blocks of bodies, blocks of the jet): a block is the jet's where all of its particles are."""
+    """(blocks of the target, other blocks, blocks of the jet): a block is the jet's or the target's where all of its particles are."""
     jet, names = jet_particles(frame, deck) if deck.has_jet else np.zeros(len(frame.block), bool), frame.file.block_names
     launched = "" if deck.forms_jet else deck.text("Jet/Material")
     of_jet = [name == launched and bool(jet[frame.block == n].all()) for n, name in enumerate(names)]
-    return [name for name, own in zip(names, of_jet) if not own], [name for name, own in zip(names, of_jet) if own]
+    target = target_particles(frame, deck)
+    of_target = [not jets and bool(target[frame.block == n].all()) for n, jets in enumerate(of_jet)]
+    kinds = {"jet": of_jet, "target": of_target, "other": [not (one or two) for one, two in zip(of_jet, of_target)]}
+    return tuple([name for name, own in zip(names, kinds[kind]) if own] for kind in ("target", "other", "jet"))
+
+
+def walls_text(run, hole_of):
+    """The radius inside which a piece of the target is rubble, against depth, at outputs of the run; nothing without a hole."""
+    rows = []
+    for step in sorted({*steps_between(len(run.file.times), MOST_WALLS)}):
+        hole = hole_of(int(step))
+        if hole is not None and hole.open_rows:
+            depth, radius = loose_within(hole)
+            rows += [f"{run.file.times[step]:.9g},{one:.6g},{other:.6g}" for one, other in zip(depth, radius)]
+    return "\n".join(["time,depth,radius", *rows, ""]) if rows else ""
 
 
 def size_of_points(file):
@@ -87,19 +103,23 @@ def size_of_points(file):
     return 2.0 * float(np.median(half)) if len(half) else 1e-3
 
 
-def view_script(run, fields, time):
-    """Text of the script; its files are named from its own folder, so that a run can be moved."""
+def view_script(run, fields, time, walls):
+    """Text of the script; its files are named from its own folder, so that a run can be moved.
+
+    @param walls  name of the file with the text of walls_text() beside it, or nothing"""
     here = run.folder / "report" / "paraview"
     frame = run.frame(time)
     left, right = (shown_field(frame, run.deck, name) for name in fields)
-    bodies, jet = blocks_of(frame, run.deck)
+    target, others, jet = blocks_of(frame, run.deck)
     mirrored, flies = run.deck.mirrored(), run.deck.direction if run.deck.has_jet else 0.0
     lying = is_long(frame, mirrored)
     shape, half = page_of(frame, mirrored, lying)
     values = {
         "FOLDER": str(here.resolve()),
-        "FILES": [os.path.relpath(file, here) for file in files_of(run.particle_path)], "BODIES": bodies, "JET": jet,
-        "LEFT": left, "RIGHT": right, "WITHOUT": list(to_rgb(WITHOUT)), "JET_COLOUR": list(to_rgb(JET)), "VOID": list(to_rgb(VOID)),
+        "FILES": [os.path.relpath(file, here) for file in files_of(run.particle_path)], "TARGET": target, "OTHERS": others, "JET": jet,
+        "LEFT": left, "RIGHT": right, "WITHOUT": list(to_rgb(WITHOUT)), "JET_COLOUR": list(to_rgb(JET)),
+        "RUBBLE_COLOUR": list(to_rgb(RUBBLE)), "WALLS": walls, "FACE": face_of(run.depth_table(), run.file, run.deck) if walls else 0.0,
+        "DIRECTION": flies, "VOID": list(to_rgb(VOID)),
         "LYING": lying, "SHAPE": shape, "HALF": half,
         "TIME": frame.time, "MIRRORED": mirrored, "DOWN": flies > 0.0, "BACK": flies < 0.0,
         "POINTS": frame.corners.shape[1] == 1, "SIZE": size_of_points(run.file), "DIMENSIONS": run.file.dimensions,

@@ -23,16 +23,19 @@ class Pieces:
         return self.jet | self.rubble
 
 
+def loose_within(hole):
+    """(depth, radius) of the open rows: a piece of the target with its centre inside is loose."""
+    rows = hole.open_rows
+    return hole.depth[:rows], np.where(np.isfinite(hole.radius[:rows]), hole.radius[:rows], 0.0) - WITHIN * hole.cell
+
+
 def rubble_in(shapes, target, deck, hole):
     """Shapes of the target whose centre lies inside the wall of the hole."""
-    rows = hole.open_rows
-    if rows == 0:
+    if hole.open_rows == 0:
         return np.zeros(len(shapes), bool)
     centre = shapes.mean(axis=1)
     depth = deck.direction * (centre[:, 1] - hole.face)
-    radius = np.where(np.isfinite(hole.radius[:rows]), hole.radius[:rows], 0.0)
-    wall = np.interp(depth, hole.depth[:rows], radius, left=0.0, right=0.0)
-    return target & (np.abs(centre[:, 0]) < wall - WITHIN * hole.cell)
+    return target & (np.abs(centre[:, 0]) < np.interp(depth, *loose_within(hole), left=0.0, right=0.0))
 
 
 def pieces_of(frame, deck, hole=None):

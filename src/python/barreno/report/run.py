@@ -11,6 +11,8 @@ from barreno.runs.exodus_sets import files_of
 from barreno.report.files import read_columns, read_summary, reading
 from barreno.report.particles import ParticleFile
 from barreno.runs.faults import BadRun, Fault, on_one_line
+from barreno.runs.lock import is_running
+from barreno.runs.run_folder import other_version
 
 MICRO = 1e-6
 
@@ -47,6 +49,15 @@ class Run:
 
     def history_table(self):
         return read_columns(self.folder / "history.csv")
+
+    def remarks(self):
+        """Sentences on a run that is not over, or of another version."""
+        if is_running(self.folder):
+            return [f"{self.folder} is still running; the page has what the run had written."]
+        if not self.summary:
+            return [f"{self.folder} has no summary.json, because the run was killed; the page has what the run had written."]
+        said = other_version(self.folder, self.summary.get("version", ""))
+        return [said] if said else []
 
     def step_at(self, time):
         """The step of particles.e that is nearest to a time; the last one for None."""

@@ -11,6 +11,7 @@ from barreno.runs.plots import plain_log
 
 BAR, BAR_GAP = 0.22, 0.95  # inches: a bar of colours, and room for the numbers and the name of an axis beside it
 MOST_TICKS = 8
+ROUND_OFF = 1e-9  # of a range of colours
 ALIKE = 0.02  # of the range of the colours: a body whose values at the start differ by less has one initial value
 
 
@@ -52,6 +53,19 @@ def doubling_values(quads):
     return values if len(values) <= MOST_TICKS else []
 
 
+def arrows_of(*drawn):
+    """Ends of a bar that have an arrow, as Matplotlib's extend: those beyond which a picture has a value. Plastic strain has none below
+    zero.
+
+    @param drawn  what carries the colours, all with the same range"""
+    low, high = drawn[0].get_clim()
+    slack = ROUND_OFF * max(abs(low), abs(high))
+    values = [one.get_array() for one in drawn if len(one.get_array())]
+    below = any(float(one.min()) < low - slack for one in values)
+    above = any(float(one.max()) > high + slack for one in values)
+    return {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[below, above]
+
+
 def draw_mark(place, mark, upright):
     line = place.axhline if upright else place.axvline
     line(mark, color="k", lw=2.6)
@@ -62,7 +76,7 @@ def fill_bar(figure, place, quads, label, side, mark=None):
     """A bar of colours in axes of its own; its numbers at a side of it."""
     upright, values = side in ("left", "right"), doubling_values(quads)
     words = label if mark is None else f"{label} (line: initial value {float(f'{mark:.3g}') + 0.0:g})"  # no minus before a zero
-    bar = figure.colorbar(quads, cax=place, label=words, extend="neither" if len(values) else "both",
+    bar = figure.colorbar(quads, cax=place, label=words, extend="neither" if len(values) else arrows_of(quads),
         orientation="vertical" if upright else "horizontal")
     axis = place.yaxis if upright else place.xaxis
     if len(values):

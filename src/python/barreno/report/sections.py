@@ -18,12 +18,10 @@ from barreno.report.path_section import path_section
 from barreno.report.penetration import STOPPED, depth_and_rate, jet_shares, launched_share
 from barreno.report.section import Picture, Section
 from barreno.report.strength_picture import NEAR, rock_near, strength_figure, surface_words
-from barreno.report.view import View, is_long
+from barreno.report.view import STRETCH, View, hole_view, is_long
 
 MILLI, MICRO = 1e-3, 1e-6
 BESIDE, BEHIND, AHEAD = 14.0, 20.0, 10.0  # cells around the tip
-WIDE, LEAST_WIDE = 3.5, 8.0  # median radii of the hole, and cells, that its own picture shows on each side of the axis
-NARROW, STRETCH = 6.0, 3.0  # where the picture of the hole is so many times longer than wide, radii are drawn so many times larger
 
 
 def tip_of(run, table, frame):
@@ -41,21 +39,6 @@ def tip_box(tip, deck):
     cell = min(max(cell, deck.number("Grid/Cell Size", cell)), 2.5 * cell)
     near, far = y - deck.direction * BEHIND * cell, y + deck.direction * AHEAD * cell
     return tuple(value / MILLI for value in (-BESIDE * cell, BESIDE * cell, min(near, far), max(near, far)))
-
-
-def hole_view(whole, deck):
-    """The hole alone, and where it is long and narrow with its radii stretched; None where nothing is open."""
-    hole = whole.hole
-    walled = hole.radius[: hole.open_rows][np.isfinite(hole.radius[: hole.open_rows])]
-    if not len(walled):
-        return None
-    across = max(WIDE * float(np.median(walled)), LEAST_WIDE * hole.cell)
-    depths = -0.06 * hole.length - 4.0 * hole.cell, 1.1 * hole.length + 4.0 * hole.cell
-    ends = [hole.face + deck.direction * depth for depth in depths]
-    box = tuple(value / MILLI for value in (-across, across, min(ends), max(ends)))
-    stretch = STRETCH if box[3] - box[2] > NARROW * (box[1] - box[0]) else 1.0
-    title = f"radii {STRETCH:g} times larger than depths, " if stretch > 1.0 else ""
-    return dataclasses.replace(whole, box=box, stretch=stretch, title=title)
 
 
 def hole_pictures(frame, deck, fields, whole):
@@ -177,7 +160,8 @@ def energy_section(run):
 def summary_section(run, table):
     history = run.history_table()
     with reading(run.folder / "summary.json"):
-        return Section("", run_rows(run.summary, history.last_row(), table.last_row() if table is not None else {}))
+        rows = run_rows(run.summary, history.last_row(), table.last_row() if table is not None else {})
+    return Section("", rows, run.remarks())
 
 
 def phases_section(run):

@@ -8,6 +8,8 @@ import numpy as np
 MILLI = 1e-3
 LONG = 1.6  # times as long as wide: such a picture lies
 UPRIGHT, LYING, WIDEST = 9.0, 12.0, 13.0  # inches along y, and at most
+WIDE, LEAST_WIDE = 3.5, 8.0  # median radii of the hole, and cells, that its own picture shows on each side of the axis
+NARROW, STRETCH = 6.0, 3.0  # where the picture of the hole is so many times longer than wide, radii are drawn so many times larger
 LEAST, MOST = 2.4, 7.5  # inches across a picture that lies
 
 
@@ -22,6 +24,21 @@ class View:
     hole: object = None  # report.hole.Hole: its wall is drawn, and loose pieces in it are told from rock
     measured: object = None  # report.measured.Measured: a hole that was measured, drawn too
     stretch: float = 1.0  # how many times larger than along y lengths across it are
+
+
+def hole_view(whole, deck):
+    """The hole alone, and where it is long and narrow with its radii stretched; None where nothing is open."""
+    hole = whole.hole
+    walled = hole.radius[: hole.open_rows][np.isfinite(hole.radius[: hole.open_rows])]
+    if not len(walled):
+        return None
+    across = max(WIDE * float(np.median(walled)), LEAST_WIDE * hole.cell)
+    depths = -0.06 * hole.length - 4.0 * hole.cell, 1.1 * hole.length + 4.0 * hole.cell
+    ends = [hole.face + deck.direction * depth for depth in depths]
+    box = tuple(value / MILLI for value in (-across, across, min(ends), max(ends)))
+    stretch = STRETCH if box[3] - box[2] > NARROW * (box[1] - box[0]) else 1.0
+    title = f"radii {STRETCH:g} times larger than depths, " if stretch > 1.0 else ""
+    return dataclasses.replace(whole, box=box, stretch=stretch, title=title)
 
 
 def span_of(frame, mirrored, box=None):

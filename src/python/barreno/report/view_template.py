@@ -14,7 +14,7 @@ import sys
 
 from paraview.simple import (
     Calculator, CellCenters, CellSize, ColorBy, CreateView, ExodusIIReader, GetActiveViewOrCreate, GetAnimationScene, GetColorTransferFunction,
-    GetScalarBar, Glyph, Interact, LoadPalette, Render, ResetCamera, SaveScreenshot, SaveState, Show, Text, Threshold, Transform,
+    GetScalarBar, Glyph, Interact, LoadPalette, ProgrammableFilter, Render, ResetCamera, SaveScreenshot, SaveState, Show, Text, Threshold, Transform,
 )
 
 # CONSTANTS
@@ -27,12 +27,65 @@ INKS = "cyan: pressure, 30 MPa to 3 GPa\\nmagenta: sqrt(J2), 10 to 600 MPa\\ndar
 
 def existing(reader):
     """Particles that exist at the time: the others have status 0."""
-    kept = Threshold(Input=reader, Scalars=["CELLS", "status"])
+    return between(reader, "status", 0.5, 1.5)
+
+
+# What a filter of ParaView runs: an array "rubble" of the particles, 1 inside the wall of the hole that walls.csv has for the time.
+FLAGGED = """
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+times, depths, radii = np.loadtxt(WALLS, delimiter=",", skiprows=1, ndmin=2).T
+
+
+def flagged(leaf, time):
+    new = leaf.NewInstance()
+    new.ShallowCopy(leaf)
+    known = times[times <= time * (1.0 + 1e-9)]
+    if leaf.GetNumberOfCells() == 0 or len(known) == 0:
+        found = np.zeros(leaf.GetNumberOfCells())
+    else:
+        points, cells = vtk_to_numpy(leaf.GetPoints().GetData()).astype(float), leaf.GetCells()
+        first = vtk_to_numpy(cells.GetOffsetsArray())
+        x, y, z = (np.add.reduceat(points[vtk_to_numpy(cells.GetConnectivityArray())], first[:-1]) / np.diff(first)[:, None]).T
+        own = times == known.max()
+        found = np.hypot(x, z) < np.interp(DIRECTION * (y - FACE), depths[own], radii[own], left=0.0, right=0.0)
+    array = numpy_to_vtk(found.astype(float), deep=1)
+    array.SetName("rubble")
+    new.GetCellData().AddArray(array)
+    return new
+
+
+source, made = self.GetInputDataObject(0, 0), self.GetOutputDataObject(0)
+time = source.GetInformation().Get(vtkDataObject.DATA_TIME_STEP())
+if source.IsA("vtkCompositeDataSet"):
+    made.CopyStructure(source)
+    leaves = source.NewIterator()
+    leaves.InitTraversal()
+    while not leaves.IsDoneWithTraversal():
+        made.SetDataSet(leaves, flagged(leaves.GetCurrentDataObject(), time))
+        leaves.GoToNextItem()
+else:
+    made.ShallowCopy(flagged(source, time))
+"""
+
+
+def between(source, name, low, high):
+    kept = Threshold(Input=source, Scalars=["CELLS", name])
     if hasattr(kept, "LowerThreshold"):
-        kept.LowerThreshold, kept.UpperThreshold = 0.5, 1.5
+        kept.LowerThreshold, kept.UpperThreshold = low, high
     else:  # before ParaView 5.10
-        kept.ThresholdRange = [0.5, 1.5]
+        kept.ThresholdRange = [low, high]
     return kept
+
+
+def split(source):
+    """Rock that holds together, and loose pieces of the target in the hole."""
+    values = {"WALLS": os.path.join(HERE, WALLS), "FACE": FACE, "DIRECTION": DIRECTION}
+    head = "".join(f"{name} = {value!r}\\n" for name, value in values.items())
+    with_flag = ProgrammableFilter(Input=source, Script=head + FLAGGED)
+    return between(with_flag, "rubble", -0.5, 0.5), between(with_flag, "rubble", 0.5, 1.5)
 
 
 def balls(source):
@@ -106,20 +159,29 @@ def show(source, view, field, on, place):
     bar.Orientation = "Horizontal" if LYING else "Vertical"
 
 
-def show_jet(source, view, field, on, place):
-    """Red, as in the report, where the field says nothing of a jet."""
+def show_piece(source, view, field, on, place, colour):
+    """In one colour, as in the report, where the field says nothing of jet and rubble."""
     if field[-1]:
         show(source, view, field, on, place)
         return
     shown = show_plain(source, view)
     shown.ColorArrayName = [on, ""]
-    shown.AmbientColor = shown.DiffuseColor = shown.EdgeColor = JET_COLOUR
+    shown.AmbientColor = shown.DiffuseColor = shown.EdgeColor = colour
     shown.Representation = "Surface With Edges"  # pieces drawn out into needles are narrower than a pixel
 
 
+def show_jet(*what):
+    show_piece(*what, JET_COLOUR)
+
+
+def show_rubble(*what):
+    show_piece(*what, RUBBLE_COLOUR)
+
+
 def show_half(sources, view, field, on, side):
+    """@param sources  [(source, what shows it)]"""
     place = {"left": "Upper Center", "right": "Lower Center"}[side] if LYING else f"Upper {side.capitalize()} Corner"
-    for source, how in zip(sources, (show, show_jet)):
+    for source, how in sources:
         how(source, view, field, on, place)
 
 
@@ -156,13 +218,13 @@ def show_fields(sources, view, on):
     show_half(sources, view, RIGHT, on, "right")
     # Two components of one vector would share their colours, and without an axis there is no other half.
     beside = view if MIRRORED and (LEFT == RIGHT or LEFT[0] != RIGHT[0]) else CreateView("RenderView")
-    show_half([mirrored(source) if MIRRORED else source for source in sources], beside, LEFT, on, "left")
+    show_half([(mirrored(source) if MIRRORED else source, how) for source, how in sources], beside, LEFT, on, "left")
     return list({id(view): view, id(beside): beside}.values())
 
 
 def show_both(sources, view, on):
     """Both sides in the colours of the map, and what they mean."""
-    for source in sources:
+    for source, _ in sources:
         # A mirror would turn a colour over, which to ParaView is a vector.
         for one in (source, mirrored(source)) if MIRRORED else (source,):
             show_map(mapped(one, on), view, on)
@@ -181,16 +243,19 @@ def read(blocks):
 
 def main():
     options = words()
-    readers = [read(blocks) for blocks in (BODIES, JET) if blocks]
+    groups = [(TARGET, show), (OTHERS, show), (JET, show_jet)]
+    readers = [(read(blocks), how, blocks is TARGET) for blocks, how in groups if blocks]
     scene = GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.AnimationTime = options.time  # which a state file keeps
     LoadPalette("WhiteBackground")
-    for reader in readers:
+    sources, on = [], "CELLS"
+    for reader, how, of_target in readers:
         reader.UpdatePipeline(options.time)
-    sources, on = [existing(reader) for reader in readers], "CELLS"
+        source = existing(reader)
+        sources += zip(split(source), (show, show_rubble)) if of_target and WALLS else [(source, how)]
     if POINTS or options.glyphs:
-        sources, on = [(points if POINTS else balls)(source) for source in sources], "POINTS"
+        sources, on = [((points if POINTS else balls)(source), how) for source, how in sources], "POINTS"
     view = GetActiveViewOrCreate("RenderView")
     views = (show_both if options.map else show_fields)(sources, view, on)
     for one in views:

@@ -11,7 +11,8 @@ USAGE, FILE, NUMERICAL, INTERNAL = 1, 2, 3, 4
 PACKAGE = str(pathlib.Path(__file__).parents[1])
 INTERRUPTED, UNREAD = 130, 141  # as a shell says of SIGINT and SIGPIPE
 PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "netCDF4": "python3-netcdf4", "scipy": "python3-scipy",
-    "PIL": "python3-pil", "pandas": "python3-pandas", "xarray": "python3-xarray"}
+    "PIL": "python3-pil", "jinja2": "python3-jinja2",
+    "markupsafe": "python3-markupsafe", "pandas": "python3-pandas", "xarray": "python3-xarray"}
 
 
 class Fault(Exception):

@@ -5,6 +5,7 @@ import json
 import pathlib
 import re
 
+import barreno
 from barreno.runs.csv_table import BadTable, arrays_of, read_csv
 from barreno.runs.faults import FILE, Fault, on_one_line
 from barreno.runs.program import body_of
@@ -107,6 +108,14 @@ def state_of(folder):
     except Fault:
         return False, ""
     return summary.get("finished") is True, summary.get("version", "")
+
+
+def other_version(folder, version):
+    """A sentence where another version of Barreno made a run; nothing else."""
+    if not version or version == barreno.__version__:
+        return ""
+    return (f"{folder} was made by Barreno {version}, and this is {barreno.__version__}; names and meanings of its files may differ "
+        "(CHANGELOG.md).")
 
 
 def progress_of(folder):

@@ -2,9 +2,8 @@
 """The points of a sweep: which values go together."""
 
 import itertools
-import random
 
-from barreno.runs.faults import Fault
+from barreno.runs.faults import Fault, needed
 from barreno.sweeps.variation import Value
 
 MOST_RUNS = 10000  # of an array job, too
@@ -27,16 +26,14 @@ def together(variations):
 
 def latin_hypercube(variations, samples, seed):
     """Each range in as many equal parts as there are samples, and one value in every part, in an order drawn anew for every parameter
-    (McKay, Beckman and Conover, Technometrics 21, 239, 1979). Numbers have six digits, which make the same deck wherever they are drawn."""
-    draw = random.Random(seed).random
-    columns = []
-    for variation in variations:
-        order = [part for _, part in sorted((draw(), part) for part in range(samples))]
-        shares = [(part + draw()) / samples for part in order]
-        texts = [f"{variation.low + share * (variation.high - variation.low):.6g}" for share in shares]
+    (McKay, Beckman and Conover, Technometrics 21, 239, 1979), as SciPy draws them. Numbers have six digits, which make the same deck
+    wherever they are drawn."""
+    qmc = needed("scipy.stats.qmc")
+    shares = qmc.LatinHypercube(d=len(variations), seed=seed).random(samples)
+    for variation, column in zip(variations, shares.T):
+        texts = [f"{variation.low + share * (variation.high - variation.low):.6g}" for share in column]
         variation.values = [Value(f"{text} {variation.unit}".strip(), float(text), variation.unit) for text in texts]
-        columns.append(variation.values)
-    return list(zip(*columns))
+    return list(zip(*(variation.values for variation in variations)))
 
 
 def points_of(variations, sample, samples, seed):

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The explorable view at the top of a report's page: particles of all outputs, which scripts of the page draw (page/*.js)."""
 
-import html
 import json
 import pathlib
 import re
 
 import numpy as np
+from markupsafe import Markup
 
 from barreno.report.explore.codes import packed
 from barreno.report.explore.curves import depth_plots, energy_plot
@@ -15,7 +15,9 @@ from barreno.report.explore.stack import PLACES, SHAPE, Stack, drawn, steps_betw
 from barreno.report.fields import known_fields
 from barreno.report.files import reading
 from barreno.report.hole import cell_along_path, face_of
-from barreno.report.tones import tones_of
+from barreno.report.pieces import pieces_of
+from barreno.report.tones import RUBBLE, tones_of
+from barreno.report.view import MILLI, View, hole_view, is_long
 from barreno.runs.regular_file import read_text
 
 HERE = pathlib.Path(__file__).parent.parent
@@ -65,21 +67,49 @@ def grid_of(run):
     return {"lower": lower[:2], "size": size} if len(lower) >= 2 and np.isfinite(size) and size > 0.0 else None
 
 
-def scene_of(run, fields, table, steps, levels):
-    """All that the script needs, as JSON can hold it."""
+def how_it_lies(run, hole_of):
+    """(whether depth runs along the view, the part of the plane with the hole in m or None): as the pictures of the last output lie."""
+    last, mirrored = len(run.file.times) - 1, run.deck.mirrored()
+    frame, hole = run.file.frame(last), hole_of(last)
+    seen = hole_view(View(hole=hole), run.deck) if hole is not None and hole.open_rows else None
+    lying = is_long(frame, mirrored) or (seen is not None and is_long(frame, mirrored, seen.box))
+    return lying, None if seen is None else [[MILLI * value for value in ends] for ends in (seen.box[:2], seen.box[2:])]
+
+
+def rubble_of(run, stack, hole_of):
+    """(output, column): 1 where a particle is a loose piece of the target in the hole, as in the pictures."""
+
+    def rubble(frame):
+        found, hole = np.zeros(int(frame.alive.sum()), np.uint8), hole_of(frame.step)
+        if hole is not None:
+            _, of = frame.shapes
+            found[of] = pieces_of(frame, run.deck, hole).rubble
+        return found
+
+    return stack.table(rubble, 0, np.uint8)
+
+
+def scene_of(run, fields, table, hole_of, steps, levels):
+    """All that the script needs, as JSON can hold it.
+
+    @param hole_of  as view_of() has it"""
     file, deck = run.file, run.deck
     stack = Stack(file, steps)
     places, shapes, sizes, largest, areas = stack.places()
     tones = tones_of(deck, file.block_names)
     colours = [tones[name] for name in file.block_names]
     names = chosen_fields(known_fields(file, deck), fields)
+    lying, hole = how_it_lies(run, hole_of)
+    loose = rubble_of(run, stack, hole_of)
     return {
         "times": [float(time) for time in stack.times], "outputs": len(file.times), "steps": [int(step) for step in steps],
-        "mirrored": bool(deck.mirrored()), "down": bool(deck.has_jet and deck.direction > 0.0), "cut": file.dimensions == 3,
+        "mirrored": bool(deck.mirrored()), "down": bool(deck.has_jet and deck.direction > 0.0),
+        "up": bool(deck.has_jet and deck.direction < 0.0), "lying": lying, "hole": hole, "cut": file.dimensions == 3,
         "across": "r" if deck.mode == "axisymmetric" else "x", "jet": deck.text("Jet/Material"),
         "low": [float(value) for value in stack.low], "quantum": stack.quantum, "largest": largest / PLACES, "shapeUnit": 1.0 / SHAPE,
         "tips": tips_of(run, table, stack), "around": cell_along_path(file, deck), "grid": grid_of(run),
         "numbers": packed(file.numbers[stack.elements].astype(np.uint32)), "there": packed(stack.there()),
+        "rubble": packed(loose), "loose": bool(loose.any()), "rubbleColour": RUBBLE,
         "places": packed(places), "shapes": packed(shapes), "sizes": packed(sizes),
         "fields": [*(field_of(stack, deck, name, areas, levels) for name in names), material_field(stack, colours),
             state_field(stack, deck)],
@@ -98,10 +128,10 @@ def shown_at_once(file):
     return file.elements if file.dimensions == 2 else len(drawn(file.frame(-1))[2])
 
 
-def fitted(run, fields, table, room):
+def fitted(run, fields, table, hole_of, room):
     """The scene as text of at most so many bytes, and its number of outputs: finer codes and all outputs where they fit."""
     count, curves = len(run.file.times), curves_of(run, table)
-    text_of = lambda steps, levels: as_json({**scene_of(run, fields, table, steps, levels), **curves})  # noqa: E731
+    text_of = lambda steps, levels: as_json({**scene_of(run, fields, table, hole_of, steps, levels), **curves})  # noqa: E731
     most, levels = min(count, max(2, MOST_ENTRIES // max(shown_at_once(run.file), 1))), list(LEVELS)
     if count > TRIED:
         each = len(text_of(steps_between(count, TRIED), levels[-1])) / TRIED
@@ -142,21 +172,25 @@ def library(name):
     return f"/*! {name}\n{licence}\n*/\n{BANNER.sub('', file_text(f'third_party/{name}'), 1)}"
 
 
-def inserted(page, run, fields):
-    """The page with the view below its title; where the run is too large for one, with a sentence that says so."""
-    table = run.depth_table()
+def view_of(run, fields, hole_of, room):
+    """What a page has of the view, in at most so many bytes: {"outputs": sentence, "data": JSON, "scripts": texts}.
+
+    @param hole_of  the hole at an output, as hole.holes_of() has it
+    @raises TooLarge"""
     scripts = [library("uPlot.iife.min.js"), view_script()]
-    style = file_text("third_party/uPlot.min.css") + file_text("page/view.css")
-    view = file_text("page/view.html")
-    room = MOST_BYTES - sum(len(text.encode()) for text in (page, style, view, *scripts)) - 1000
+    styles = [file_text(name) for name in ("third_party/uPlot.min.css", "page/view.css", "page/view.html")]
+    room -= sum(len(text.encode()) for text in (*styles, *scripts)) + 1000
+    with run.particles_read():
+        scene, shown = fitted(run, fields, run.depth_table(), hole_of, room)
+    # Neither JSON, where markup is escaped, nor a script of ours has text that ends its element.
+    return {"outputs": about_outputs(shown, len(run.file.times)), "data": Markup(scene), "scripts": [Markup(text) for text in scripts]}
+
+
+def explorable(page_of, run, fields, hole_of):
+    """A page with the view; where the run is too large for one, with a sentence that says so.
+
+    @param page_of  (view, sentence) to the text of a page"""
     try:
-        with run.particles_read():
-            scene, shown = fitted(run, fields, table, room)
+        return page_of(view_of(run, fields, hole_of, MOST_BYTES - len(page_of().encode())), "")
     except TooLarge:
-        words = f"This page has no view to explore: the run's {run.file.elements} particles do not fit into a page of 15 MB."
-        return page.replace("</h1>", f"</h1>\n<p>{words}</p>", 1)
-    view = view.replace("{{outputs}}", html.escape(about_outputs(shown, len(run.file.times))))
-    ends = "".join(f"<script>\n{text}\n</script>\n" for text in scripts)
-    data = f'<script type="application/json" id="explore-data">{scene}</script>\n'
-    head, body = page.replace("</style>", f"\n{style}</style>", 1).split("</h1>", 1)
-    return f"{head}</h1>\n{view}{body.rpartition('</body>')[0]}{data}{ends}</body></html>\n"
+        return page_of(None, f"This page has no view to explore: the run's {run.file.elements} particles do not fit into a page of 15 MB.")

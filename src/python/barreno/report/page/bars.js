@@ -17,11 +17,11 @@ function drawBar(side) {
   }
   const strip = document.createElement("div"), colours = one.palette.match(/.{6}/g);
   strip.className = "explore-strip";
-  strip.style.background = `linear-gradient(to top, ${colours.map(six => `#${six}`).join(",")})`;
+  strip.style.setProperty("--colours", colours.map(six => `#${six}`).join(","));
   const put = (value, words, kind) => {
     const part = share(one, value, limits), mark = Object.assign(shown(words), {className: kind});
     if (!(part > -0.001 && part < 1.001)) return;
-    mark.style.bottom = `${100 * part}%`;
+    mark.style.setProperty("--part", `${100 * part}%`);
     strip.append(mark);
   };
   const [low, high] = limits.map(value => value / one.size);

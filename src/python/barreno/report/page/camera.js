@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the view looks.
+// Where the view looks. In an upright view lengths along y run down the stage or up; in a lying view along it. A lying view may draw
+// lengths across y larger than lengths along y, so that a long narrow hole can be seen.
+
+const FILLED = 0.94;  // of the stage, by what is looked at
+const STRETCHES = [12, 10, 8, 6, 5, 4, 3, 2, 1.5];
 
 const size = () => ({wide: stage.clientWidth, high: stage.clientHeight});
-const panelWide = () => size().wide / panels;
+
+function panelSize() {
+  const {wide, high} = size();
+  return lying ? {wide, high: high / panels} : {wide: wide / panels, high};
+}
 
 function extent() {
   const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
@@ -17,15 +25,34 @@ function extent() {
   return {low: scene.mirrored ? [2 * axisAt - high[0], low[1]] : low, high};
 }
 
-function lookAt(low, high) {
+// The part of the plane from low to high fills the stage; a lying view is stretched where that is asked for and there is room.
+function lookAt(low, high, stretched = false) {
+  const panel = panelSize(), room = lying ? [panel.high, panel.wide] : [panel.wide, panel.high];
+  const [across, along] = [0, 1].map(axis => FILLED * room[axis] / Math.max(high[axis] - low[axis], 1));
   view.x = 0.5 * (low[0] + high[0]);
   view.y = 0.5 * (low[1] + high[1]);
-  view.scale = 0.94 * Math.min(panelWide() / Math.max(high[0] - low[0], 1), size().high / Math.max(high[1] - low[1], 1));
+  view.scale = Math.min(across, along);
+  const stretch = stretched && lying ? STRETCHES.find(one => one <= across / view.scale) ?? 1 : 1;
+  view.rest = {scale: view.scale, stretch};
+}
+
+// How many times larger than along y lengths across y are drawn: closer than the whole, less and less, until proportions are true.
+function stretchNow() {
+  const {scale, stretch} = view.rest;
+  return Math.max(1, Math.min(stretch, stretch * scale / view.scale));
 }
 
 function goWhole() {
   const {low, high} = extent();
-  lookAt(low, high);
+  lookAt(low, high, true);
+  follow(false);
+  redraw();
+}
+
+function goToHole() {
+  if (!scene.hole) return;
+  const [low, high] = [0, 1].map(end => scene.hole.map((ends, axis) => toQuantum(ends[end], axis)));
+  lookAt(low, high, true);
   follow(false);
   redraw();
 }
@@ -34,8 +61,8 @@ function goToTip() {
   const tip = scene.tips[view.step];
   if (tip === null) return;
   const reach = scene.around / scene.quantum, y = toQuantum(tip, 1), x = scene.mirrored ? axisAt : toQuantum(0, 0);
-  const along = scene.down || scene.tips.some(one => one > tip) ? 1 : -1;
-  lookAt([x - 14 * reach, y - (along > 0 ? 16 : 10) * reach], [x + 14 * reach, y + (along > 0 ? 10 : 16) * reach]);
+  const along = scene.down || scene.tips.some(one => one > tip) ? 1 : -1, beside = (lying ? 8 : 14) * reach;
+  lookAt([x - beside, y - (along > 0 ? 16 : 10) * reach], [x + beside, y + (along > 0 ? 10 : 16) * reach]);
 }
 
 function follow(on) {
@@ -53,12 +80,33 @@ function zoom(factor, x = 0.5 * size().wide, y = 0.5 * size().high) {
   redraw();
 }
 
-const middleOf = panel => (panel + 0.5) * panelWide();
-const panelAt = x => Math.min(panels - 1, Math.max(0, Math.floor(x / panelWide())));
-
-function placeAt(x, y) {
-  return {x: view.x + (x - middleOf(panelAt(x))) / view.scale, y: view.y - flip * (y - 0.5 * size().high) / view.scale};
+function panelAt(x, y) {
+  const {wide, high} = panelSize();
+  return Math.min(panels - 1, Math.max(0, Math.floor(lying ? y / high : x / wide)));
 }
 
-const screenOf = (x, y, panel = 0) => [middleOf(panel) + (x - view.x) * view.scale,
-  0.5 * size().high - flip * (y - view.y) * view.scale];
+function middleOf(panel) {
+  const {wide, high} = panelSize();
+  return lying ? [0.5 * wide, (panel + 0.5) * high] : [(panel + 0.5) * wide, 0.5 * high];
+}
+
+// A step across y and a step along y on the screen, in pixels.
+function turned(across, along) {
+  const wide = across * view.scale * stretchNow(), deep = along * view.scale * forward;
+  return lying ? [deep, wide] : [wide, deep];
+}
+
+function turnedBack(right, down) {
+  const [wide, deep] = lying ? [down, right] : [right, down];
+  return [wide / (view.scale * stretchNow()), deep * forward / view.scale];
+}
+
+function placeAt(x, y) {
+  const [middleX, middleY] = middleOf(panelAt(x, y)), [across, along] = turnedBack(x - middleX, y - middleY);
+  return {x: view.x + across, y: view.y + along};
+}
+
+function screenOf(x, y, panel = 0) {
+  const [middleX, middleY] = middleOf(panel), [right, down] = turned(x - view.x, y - view.y);
+  return [middleX + right, middleY + down];
+}

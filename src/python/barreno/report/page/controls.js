@@ -22,6 +22,9 @@ function addSwitches() {
       if (on) hidden.delete(kind); else hidden.add(kind);
     });
   }
+  if (scene.loose) addSwitch("rubble", true, scene.rubbleColour, on => {
+    if (on) hidden.delete(rubble); else hidden.add(rubble);
+  });
   at("switches").append(shown("outlines of"));
   addSwitch("materials", option.outlines, null, on => { option.outlines = on; });
   addSwitch("particles", option.edges, null, on => { option.edges = on; });
@@ -30,7 +33,7 @@ function addSwitches() {
     option.cells = on;
     redraw();
   });
-  if (blocks.some(one => one.jet)) addSwitch("plain jet", option.plain, null, on => {
+  if (scene.loose || blocks.some(one => one.jet)) addSwitch("plain jet and rubble", option.plain, null, on => {
     option.plain = on;
     paint("left");
     paint("right");
@@ -54,7 +57,7 @@ function play(on) {
 function listen() {
   const step = by => { play(false); setStep(view.step + by); };
   const keys = {ArrowLeft: () => step(-1), ArrowRight: () => step(1), Home: () => step(-1e9), End: () => step(1e9),
-    " ": () => play(!playing), "+": () => zoom(1.4), "-": () => zoom(1 / 1.4), "0": goWhole, t: () => tip()};
+    " ": () => play(!playing), "+": () => zoom(1.4), "-": () => zoom(1 / 1.4), "0": goWhole, h: goToHole, t: () => tip()};
   const tip = () => { follow(true); goToTip(); redraw(); };
   at("time").max = scene.times.length - 1;
   at("time").addEventListener("input", () => { play(false); setStep(Number(at("time").value)); });
@@ -62,6 +65,8 @@ function listen() {
   at("back").addEventListener("click", () => step(-1));
   at("on").addEventListener("click", () => step(1));
   at("whole").addEventListener("click", goWhole);
+  at("hole").addEventListener("click", goToHole);
+  at("hole").disabled = !scene.hole;
   at("tip").addEventListener("click", tip);
   at("tip").disabled = scene.tips.every(one => one === null);
   at("in").addEventListener("click", () => zoom(1.4));
@@ -84,8 +89,9 @@ function listen() {
     const box = stage.getBoundingClientRect();
     view.mouse = [event.clientX - box.left, event.clientY - box.top];
     if (held && (event.clientX !== held[0] || event.clientY !== held[1])) {
-      view.x -= (event.clientX - held[0]) / view.scale;
-      view.y += flip * (event.clientY - held[1]) / view.scale;
+      const [across, along] = turnedBack(event.clientX - held[0], event.clientY - held[1]);
+      view.x -= across;
+      view.y -= along;
       held = [event.clientX, event.clientY];
       follow(false);
       redraw();

@@ -5,9 +5,10 @@ const INK = ["#1f4e79", "#c0392b", "#2e7d32"];
 
 function addCurves() {
   for (const {title, time, curves} of scene.plots) {
-    const box = document.createElement("div"), head = document.createElement("div");
+    const [whole, head, box] = ["div", "div", "div"].map(kind => document.createElement(kind));
     head.className = "explore-curve";
-    at("curves").append(head, box);
+    whole.append(head, box);
+    at("curves").append(whole);
     const chart = new window.uPlot({
       width: box.clientWidth || 300, height: 112, cursor: {drag: {x: false, y: false}, points: {size: 5}},
       legend: {show: false}, scales: {x: {time: false}},

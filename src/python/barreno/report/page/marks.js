@@ -8,10 +8,11 @@ function drawMarks() {
   pen.setTransform(picture.dense, 0, 0, picture.dense, 0, 0);
   pen.clearRect(0, 0, wide, high);
   at("hint").textContent = "";
+  marks.setAttribute("aria-label", `${nameOf(0)}; ${nameOf(1)}`);
   for (let panel = 0; panel < panels; panel++) {
     pen.save();
     pen.beginPath();
-    pen.rect(panel * panelWide(), 0, panelWide(), high);
+    pen.rect(...boxOf(panel));
     pen.clip();
     if (option.cells) drawCells(pen, panel);
     if (scene.mirrored) drawAxis(pen);
@@ -19,7 +20,13 @@ function drawMarks() {
     drawTicks(pen, panel);
     pen.restore();
   }
-  if (panels === 2) line(pen, [[panelWide(), 0], [panelWide(), high]], "#555", 1);
+  const [left, top] = boxOf(1);
+  if (panels === 2) line(pen, lying ? [[0, top], [wide, top]] : [[left, 0], [left, high]], "#555", 1);
+}
+
+function boxOf(panel) {
+  const {wide, high} = panelSize();
+  return lying ? [0, panel * high, wide, high] : [panel * wide, 0, wide, high];
 }
 
 function line(pen, points, colour, width) {
@@ -32,43 +39,49 @@ function line(pen, points, colour, width) {
 
 function drawAxis(pen) {
   pen.setLineDash([10, 5, 2, 5]);
-  const [x] = screenOf(axisAt, 0);
-  line(pen, [[x, 0], [x, size().high]], "rgba(0,0,0,.55)", 1);
+  const {wide, high} = size(), [x, y] = screenOf(axisAt, 0);
+  line(pen, lying ? [[0, y], [wide, y]] : [[x, 0], [x, high]], "rgba(0,0,0,.55)", 1);
   pen.setLineDash([]);
 }
 
-// Lengths in mm along the lower and the left edge.
-function drawTicks(pen, panel) {
-  const {high} = size(), left = panel * panelWide(), wide = panelWide();
-  const mm = (quanta, axis) => toMetres(quanta, axis) / MILLI, back = (value, axis) => toQuantum(value * MILLI, axis);
-  const from = placeAt(left + 1, high - 1), to = placeAt(left + wide - 1, 1);
-  const step = (one, two) => [Math.min(one, two), Math.max(one, two)];
-  pen.font = "11px sans-serif";
-  pen.lineWidth = 3;
+function write(pen, words, x, y, align = "left") {
+  pen.textAlign = align;
   pen.strokeStyle = "rgba(255,255,255,.85)";
-  const text = (words, x, y) => {
-    pen.strokeStyle = "rgba(255,255,255,.85)";
-    pen.lineWidth = 3;
-    pen.strokeText(words, x, y);
-    pen.fillStyle = "#222";
-    pen.fillText(words, x, y);
+  pen.lineWidth = 3;
+  pen.strokeText(words, x, y);
+  pen.fillStyle = "#222";
+  pen.fillText(words, x, y);
+}
+
+const nameOf = axis => {
+  const stretch = axis === 0 ? stretchNow() : 1, larger = Number(stretch.toPrecision(2));
+  return `${axis === 0 ? scene.across : "y"} [mm]${larger > 1 ? `, ${larger} times larger than y` : ""}`;
+};
+
+// Lengths in mm along the lower edge of a panel and along the left one: across y and along y, or in a lying view the other way round.
+function drawTicks(pen, panel) {
+  const [left, top, wide, high] = boxOf(panel), right = left + wide, bottom = top + high, [flat, steep] = lying ? [1, 0] : [0, 1];
+  const ends = [placeAt(left + 1, bottom - 1), placeAt(right - 1, top + 1)].map(({x, y}) => [x, y]);
+  const values = (axis, most) => {
+    const found = ends.map(one => toMetres(one[axis], axis) / MILLI);
+    return ticksBetween(Math.min(...found), Math.max(...found), Math.max(2, most));
   };
-  pen.textAlign = "center";
-  for (const value of ticksBetween(...step(mm(from.x, 0), mm(to.x, 0)), Math.max(2, wide / 90))) {
-    const [x] = screenOf(back(value, 0), 0, panel);
-    line(pen, [[x, high], [x, high - 6]], "#222", 1);
-    if (x > left + 50 && x < left + wide - 62) text(Number(Math.abs(scene.mirrored ? value : NaN) || value), x, high - 9);
+  const spot = (value, axis) => screenOf(axis === 0 ? toQuantum(value * MILLI, 0) : 0, axis === 1 ? toQuantum(value * MILLI, 1) : 0, panel);
+  const number = (value, axis) => String(axis === 0 && scene.mirrored ? Math.abs(value) : value);
+  pen.font = "11px sans-serif";
+  const name = nameOf(flat), room = pen.measureText(name).width + 25;
+  for (const value of values(flat, wide / 90)) {
+    const [x] = spot(value, flat);
+    line(pen, [[x, bottom], [x, bottom - 6]], "#222", 1);
+    if (x > left + 50 && x < right - room) write(pen, number(value, flat), x, bottom - 9, "center");
   }
-  pen.textAlign = "left";
-  for (const value of ticksBetween(...step(mm(from.y, 1), mm(to.y, 1)), Math.max(2, high / 70))) {
-    const [, y] = screenOf(0, back(value, 1), panel);
+  for (const value of values(steep, high / (lying ? 45 : 70))) {
+    const [, y] = spot(value, steep);
     line(pen, [[left, y], [left + 6, y]], "#222", 1);
-    if (y > 26 && y < high - 24) text(value, left + 9, y + 4);
+    if (y > top + 26 && y < bottom - 24) write(pen, number(value, steep), left + 9, y + 4);
   }
-  text("y [mm]", left + 6, 14);
-  pen.textAlign = "right";
-  text(`${scene.across} [mm]`, left + wide - 6, high - 9);
-  pen.textAlign = "left";
+  write(pen, nameOf(steep), left + 6, top + 14);
+  write(pen, name, right - 6, bottom - 9, "right");
 }
 
 // Cells of the grid in which particles are, each of its own size.
@@ -78,7 +91,7 @@ function drawCells(pen, panel) {
   let smallest = Infinity;
   pen.beginPath();
   for (let i = 0; i < count; i++) {
-    if (!now.there[i] || hidden.has(material[i])) continue;
+    if (!now.there[i] || hidden.has(material[i]) || hidden.has(now.kind[i])) continue;
     const length = codes?.[i] ? valueOf(field.cell_size, codes[i]) / scene.quantum : whole;
     smallest = Math.min(smallest, length);
     const x = Math.floor((now.place[2 * i] - lower[0]) / length), y = Math.floor((now.place[2 * i + 1] - lower[1]) / length);
@@ -96,10 +109,11 @@ function drawCells(pen, panel) {
 }
 
 function outline(pen, x, y, length, panel) {
+  const {wide, high} = size();
   for (const low of scene.mirrored ? [x, 2 * axisAt - x - length] : [x]) {
     const [left, one] = screenOf(low, y, panel), [right, two] = screenOf(low + length, y + length, panel);
-    if (right < 0 || left > size().wide || Math.max(one, two) < 0 || Math.min(one, two) > size().high) continue;
-    pen.rect(left, Math.min(one, two), right - left, Math.abs(two - one));
+    if (Math.max(left, right) < 0 || Math.min(left, right) > wide || Math.max(one, two) < 0 || Math.min(one, two) > high) continue;
+    pen.rect(Math.min(left, right), Math.min(one, two), Math.abs(right - left), Math.abs(two - one));
   }
 }
 

@@ -3,9 +3,10 @@
 
 async function start() {
   field = Object.fromEntries(scene.fields.map(one => [one.name, one]));
-  const tables = [scene.numbers, scene.sizes, scene.there, scene.places, scene.shapes, field.material.codes, field.state.codes];
+  const {there, places, shapes} = scene, codes = [field.material.codes, field.state.codes];
+  const tables = [scene.numbers, scene.sizes, there, scene.rubble, places, shapes, ...codes];
   const [numberRow, sizeRow, ...others] = await Promise.all(tables.map(unpacked));
-  [thereRow, placeRow, shapeRow, rows.material, rows.state] = others;
+  [thereRow, rubbleRow, placeRow, shapeRow, rows.material, rows.state] = others;
   stateRow = rows.state;
   numbers = numberRow(0);
   sizes = sizeRow(0);
@@ -13,14 +14,18 @@ async function start() {
   count = numbers.length;
   names = field.material.classes;
   blocks = blocksOf(material, names.length);
+  rubble = names.length + 1;
   lineOf = linesBetween();
   axisAt = scene.mirrored ? toQuantum(0, 0) : 0;
   panels = scene.mirrored ? 1 : 2;
-  flip = scene.down ? -1 : 1;
+  lying = scene.lying;
+  forward = lying ? (scene.up ? -1 : 1) : (scene.down ? 1 : -1);
   [canvas, marks, stage] = ["particles", "marks", "stage"].map(at);
   for (const side of ["left", "right"]) at(side).append(...scene.fields.map(one =>
     Object.assign(document.createElement("option"), {value: one.name, textContent: one.words})));
   at("cut").textContent = scene.cut ? "In three dimensions the view is the cut of the pictures below." : "";
+  for (const [side, where] of lying ? [["left", "above"], ["right", "below"]] : []) at(`side-${side}`).textContent = where;
+  document.getElementById("explore").classList.toggle("explore-lying", lying);
   document.getElementById("explore").hidden = false;
   addSwitches();
   addCurves();
@@ -28,7 +33,7 @@ async function start() {
   await setField("right", scene.right);
   listen();
   setStep(scene.times.length - 1);
-  goWhole();
+  if (lying && scene.hole) goToHole(); else goWhole();
 }
 
 async function run() {

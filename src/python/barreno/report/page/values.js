@@ -14,7 +14,8 @@ function fieldText(one, code) {
 
 function values(i) {
   const mm = axis => toMetres(now.place[2 * i + axis], axis) / MILLI, slack = 0.5 * scene.quantum / MILLI;
-  const lines = [["particle", i < 0 ? "" : String(numbers[i])], ["material", i < 0 ? "" : names[material[i] - 1]],
+  const made = i < 0 ? "" : names[material[i] - 1] + (now.kind[i] === rubble ? ", rubble" : "");
+  const lines = [["particle", i < 0 ? "" : String(numbers[i])], ["material", made],
     ["state", i < 0 ? "" : fieldText(field.state, now.state[i])]];
   for (const name of new Set([view.left, view.right])) {
     if (name === "material" || name === "state") continue;
