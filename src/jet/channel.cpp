@@ -177,13 +177,13 @@ double radius_at(const std::vector<double>& radii, std::size_t open, double dept
 
 namespace {
 
-/// Rows from the face on whose wall, or that of the next one, is at least this far away.
-std::size_t rows_as_wide(const std::vector<double>& radii, double least) {
-  std::size_t row = 0;
-  while (row < radii.size() &&
-         (radii[row] >= least || radii[std::min(row + 1, radii.size() - 1)] >= least))
-    ++row;
-  return row;
+/// Rows from the face to the last whose wall is at least this far away, before a narrower stretch
+/// of more than so many rows.
+std::size_t rows_as_wide(const std::vector<double>& radii, double least, std::size_t neck) {
+  std::size_t wide = 0;
+  for (std::size_t row = 0; row < radii.size() && row - wide <= neck; ++row)
+    if (radii[row] >= least) wide = row + 1;
+  return wide;
 }
 
 }  // namespace
@@ -194,9 +194,11 @@ void measure_channel(const std::vector<double>& radii, const JetPath& path, Pene
   const auto length_of = [&](std::size_t rows) {
     return std::min(static_cast<double>(rows) * path.bin, length);
   };
-  const std::size_t open = rows_as_wide(radii, closed);
+  const std::size_t open = rows_as_wide(radii, closed, 1);
   result.channel_depth = length_of(open);
-  result.probed_depth = length_of(rows_as_wide(radii, std::max(closed, path.origin.radius)));
+  const double probe = std::max(closed, path.origin.radius);
+  const auto neck = static_cast<std::size_t>(2.0 * probe / path.bin);
+  result.probed_depth = length_of(rows_as_wide(radii, probe, std::max<std::size_t>(1, neck)));
   result.channel_radius_mid = radius_at(radii, open, 0.5 * static_cast<double>(open), closed);
 }
 

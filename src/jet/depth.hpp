@@ -27,10 +27,10 @@ struct Penetration {
   /// least a quarter of a cell away from the axis, so that crumbs in the channel, which fill one of
   /// them and then none, do not close it [length].
   double channel_depth = 0.0;
-  /// How far of the channel a probe comes that is as wide as the widest slug: as channel_depth,
-  /// with a wall that is at least as far away from the axis as that slug's rim, and as a quarter of
-  /// a cell. Behind it a thread of spent metal may go on, whose length follows the size of the
-  /// cells (docs/trade.md, Depth at rest) [length].
+  /// How far of the channel a probe comes that is as wide as the widest slug: whole rows whose wall
+  /// is at least as far from the axis as that slug's rim; crumbs and necks no longer than the probe
+  /// is wide do not stop it. Behind it a thread of spent metal may go on, whose length follows the
+  /// size of the cells (docs/trade.md, Depth at rest) [length].
   double probed_depth = 0.0;
   /// Distance from the axis to the wall, at half the channel depth; 0 without a channel,
   /// the width of the grid if there is no target [length]. The wall is where the target's

@@ -73,22 +73,25 @@ TEST(Channel, EndsAtTheFirstClosedBin) {
 
 TEST(Channel, AProbeStopsWhereTheHoleIsNarrowerThanTheJet) {
   JetPath path;
-  path.bin = 0.5;
-  path.end = 2.5;
+  path.bin = 1.0;
+  path.end = 5.0;
   path.bins = 5;
-  path.origin.radius = 2.0;
+  path.origin.radius = 1.0;
   Penetration result;
-  measure_channel({3.0, 2.5, 1.0, 1.0, 1.0}, path, result);
-  EXPECT_EQ(result.probed_depth, 1.0);
-  EXPECT_EQ(result.channel_depth, 2.5) << "which goes on as a thread";
-  measure_channel({3.0, 1.0, 2.0, 0.5, 0.5}, path, result);  // a crumb in the second row
-  EXPECT_EQ(result.probed_depth, 1.5);
-  measure_channel({1.9, 1.9, 3.0, 0.0, 0.0}, path, result);
-  EXPECT_EQ(result.probed_depth, 0.0) << "the casing's hole is narrower than the jet";
+  measure_channel({3.0, 2.5, 0.9, 0.9, 0.9}, path, result);
+  EXPECT_EQ(result.probed_depth, 2.0);
+  EXPECT_EQ(result.channel_depth, 5.0) << "which goes on as a thread";
+  measure_channel({3.0, 0.9, 0.1, 1.0, 0.9}, path, result);
+  EXPECT_EQ(result.probed_depth, 4.0) << "a neck that is no longer than the probe is wide";
+  measure_channel({3.0, 0.9, 0.9, 0.9, 2.0}, path, result);
+  EXPECT_EQ(result.probed_depth, 1.0) << "a longer one";
+  measure_channel({0.9, 0.9, 0.9, 3.0, 3.0}, path, result);
+  EXPECT_EQ(result.probed_depth, 0.0);
   measure_channel({3.0, 3.0, 3.0, 3.0, 3.0}, path, result);
-  EXPECT_EQ(result.probed_depth, 2.5);
+  EXPECT_EQ(result.probed_depth, 5.0);
   path.origin.radius = 0.0;  // no slug: a probe is a quarter of a cell in radius
-  measure_channel({3.0, 0.1, 0.1, 0.5, 0.5}, path, result);
+  measure_channel({3.0, 0.1, 0.5, 0.1, 0.1}, path, result);
+  EXPECT_EQ(result.probed_depth, 3.0);
   EXPECT_EQ(result.probed_depth, result.channel_depth);
 }
 
