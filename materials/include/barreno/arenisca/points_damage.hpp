@@ -17,6 +17,31 @@ struct DamagedRock : ScatteredRock<Whole> {
   Damage damage;
 };
 
+/// The surface of its pieces, the same to the last bit for every caller.
+template <class R, class Whole>
+BARRENO_ALIKE auto surface_of_damage(
+    const DamagedRock<Whole>& rock, const R& coherence, const R& intact
+) {
+  using Limit = typename Whole::Parts::ShearLimit;
+  const R peak = Limit::peak(rock.strength) * coherence * intact;
+  const R slope = rock.damage.slope + rock.damage.loss * intact;
+  SurfaceOf<R, Limit> surface;
+  static_cast<typename Limit::template Of<R>&>(surface) = Limit::make(rock.strength, peak, slope);
+  surface.CR = rock.surface.CR;
+  return surface;
+}
+
+/// What the surface of whole rock is made of, to the bits that damaged pieces would have.
+/// @param[in,out] rock  with its damage, after set_strength()
+template <class Whole>
+void set_damage(DamagedRock<Whole>& rock) {
+  using Limit = typename Whole::Parts::ShearLimit;
+  const Lanes one = Lanes{} + 1.0;
+  const auto mean = surface_of_damage(rock, one, one);
+  static_cast<typename Limit::template Of<double>&>(rock.mean) = Limit::lane(mean, 0);
+  rock.mean_first_cap.kappa = branch_point(rock.mean, rock.mean_first_cap.X);
+}
+
 /// Its pieces.
 template <class R, class Whole>
 struct DamagedPiecesOf : Whole {
@@ -33,13 +58,10 @@ struct DamagedPiecesOf : Whole {
       first_cap = same_cap<R>(rock.mean_first_cap);
       return;
     }
-    using Limit = typename Whole::Parts::ShearLimit;
-    const R peak = Limit::peak(rock.strength) * coherence * intact;
-    const double whole = rock.strength.FSLOPE;
-    const R slope = whole - (whole - rock.damage.slope) * damage;
-    static_cast<typename Limit::template Of<R>&>(surface) = Limit::make(rock.strength, peak, slope);
-    surface.CR = rock.surface.CR;
-    first_cap = cap_of(*this, R{});
+    surface = surface_of_damage(rock, coherence, intact);
+    // X of virgin rock does not depend on its strength.
+    first_cap = same_cap<R>(rock.mean_first_cap);
+    first_cap.kappa = branch_point(surface, first_cap.X);
   }
 };
 template <class R, class Whole>

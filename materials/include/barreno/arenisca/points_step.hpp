@@ -346,9 +346,9 @@ BARRENO_FUNCTION R damage_after(
   return real::smaller(R(step.damage + share * strain / step.fracture_strain), 1.0);
 }
 
-/// Points whose damage grows in an attempt. Where that takes more of the strength than a part of
-/// the allowed error, the attempt is made once more with the strength at its end. The difference of
-/// both counts as an error, and no substep adds more than a tenth of all damage.
+/// Points whose damage grows in an attempt. It is made once more with the strength at its end, but
+/// where the loss is far below the allowed error. The difference of both counts as an error, and no
+/// substep adds more than a tenth of all damage.
 /// @param[in,out] a  replaced where it is made once more
 /// @return damage at its end
 template <class R, class Law, class Choice>
@@ -359,7 +359,7 @@ BARRENO_FUNCTION R damage_points(
     const Choice& choose,
     AttemptOf<R, Law>& a
 ) {
-  constexpr double largest_growth = 0.1, negligible = 0.1, per_shear = 1.4142135623730951;
+  constexpr double largest_growth = 0.1, negligible = 0.02, per_shear = 1.4142135623730951;
   const MaskOf<R> sound = step.active & !(a.elastic | a.refused) & real::is_finite(a.error);
   const R guess = real::select(sound, damage_after(law, step, part, a), step.damage);
   const R lost = per_shear * law.damage.fall(a.end.x, step.coherence) * (guess - step.damage);

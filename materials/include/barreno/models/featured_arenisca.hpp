@@ -132,7 +132,10 @@ protected:
     static_cast<typename Plain::Law&>(rock) = plain.rock();
     arenisca::set_strength(p, rock);
     if constexpr (Law::angled) rock.lode = {p.J3_type, p.J3_psi};
-    if constexpr (Law::damaged) rock.damage = arenisca::Damage::make(p);
+    if constexpr (Law::damaged) {
+      rock.damage = arenisca::Damage::make(p);
+      arenisca::set_damage(rock);
+    }
     if constexpr (Law::rated) {
       rock.T1 = p.T1_rate_dependence;
       rock.T2 = p.T2_rate_dependence;
