@@ -27,6 +27,7 @@ const std::vector<NamedDimension>& named_dimensions() {
       {dimension::rate, "a rate", "1/s", "1000 1/s"},
       {dimension::specific_energy, "an energy per mass", "J/kg", "300 kJ/kg"},
       {dimension::heat_capacity, "a heat capacity per mass", "J/(kg K)", "477 J/(kg K)"},
+      {dimension::energy_per_area, "an energy per area", "J/m2", "60 J/m2"},
       {{-1, 0, 0, 0}, "a wave number", "1/m", "31.4 1/m"},
       {{2, -2, 1, 0}, "an energy", "J", "1 kJ"},
       {{1, -2, 1, 0}, "a force", "N", "1 kN"},

@@ -167,7 +167,7 @@ StartPoint start_point_of(const Model& /*model*/, const Start& start) {
 }  // namespace
 
 StartPoint start_point(const MaterialSpec& material, const BodySpec* body) {
-  return std::visit(
+  StartPoint start = std::visit(
       [&](const auto& model) {
         return start_point_of(
             model, body ? initial_state_of(model, *body) : model.initial_state(0.0)
@@ -175,6 +175,8 @@ StartPoint start_point(const MaterialSpec& material, const BodySpec* body) {
       },
       material.material().model
   );
+  if (body) start.per_cell = body->particles_per_cell;
+  return start;
 }
 
 StartPoint expanded_start_point(const MaterialSpec& material, double expansion) {
@@ -199,6 +201,7 @@ struct WriteNewParticles {
   double volume_ratio;
   Sym3 stress;
   double start_history[Model::history_count + 1] = {};
+  double per_cell;  ///< particles along a cell
   int body, first_row;
   ArrayView<NewParticle> made;
   Particles particles;
@@ -239,7 +242,9 @@ struct WriteNewParticles {
     double* const h = history_values<Model>(history);
     for (int c = 0; c < Model::history_count; ++c) h[c] = start_history[c];
     if constexpr (VariesByPiece<Model>::value)
-      model.vary(history, {static_cast<std::uint64_t>(from.id), from.volume, section(from)});
+      model.vary(
+          history, {static_cast<std::uint64_t>(from.id), from.volume, section(from), per_cell}
+      );
     const double* const s = reals_of<double>(stress);
     for (int c = 0; c < 3; ++c) particles.stress(p, c) = s[c];
     for (int c = 0; c < Model::history_count; ++c) particles.history(p, c) = h[c];
@@ -287,6 +292,7 @@ int add_particles(
             start.volume_ratio,
             start.stress,
             {},
+            static_cast<double>(start.per_cell),
             body,
             first_row,
             rows,

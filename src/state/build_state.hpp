@@ -32,6 +32,7 @@ struct StartPoint {
   Sym3 stress;
   std::vector<double> history;
   double volume_ratio = 1.0;
+  int per_cell = 1;  ///< particles of the body per cell and direction
 };
 
 /// @param body  whose pressures the point is under; null: none

@@ -279,6 +279,55 @@ struct Sample<AngledWetArenisca> : Sample<Arenisca> {
   }
 };
 
+/// The same rock that loses cohesion and tensile strength.
+template <>
+struct Sample<DamagedArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() { return damaged(Sample<Arenisca>::parameters()); }
+  static Arenisca::Parameters damaged(Arenisca::Parameters p) {
+    p.fracture_strain = 0.02;
+    p.fracture_energy = 60.0;
+    p.residual_slope = 0.3;
+    p.damage_pressure = 150e6;
+    return p;
+  }
+  static std::vector<std::pair<Arenisca::Parameters, std::string>> contradictions() {
+    using P = Arenisca::Parameters;
+    std::vector<std::pair<P, std::string>> list(12, {parameters(), "Fracture strain"});
+    list[0].first.fracture_strain = 0.0;
+    list[0].second = "Fracture energy";
+    list[1].first = Sample<Arenisca>::parameters();
+    list[1].first.residual_slope = 0.3;
+    list[1].second = "Residual slope";
+    list[2].first = Sample<Arenisca>::parameters();
+    list[2].first.damage_pressure = 150e6;
+    list[2].second = "Damage pressure";
+    list[3].first.PEAKI1 = 0.0;
+    list[4].first.T1_rate_dependence = 1e-5;
+    list[5].first.J3_type = arenisca::Lode::gudehus;
+    list[5].first.J3_psi = 0.8;
+    list[6].first.return_solver = 1;
+    list[7].first.residual_slope = 1.1 * list[7].first.FSLOPE;
+    list[7].second = "Residual slope";
+    list[8].first.FSLOPE = 0.7;
+    list[8].first.residual_slope = 0.6;
+    list[8].second = "Residual slope";
+    list[9].first.FSLOPE = 0.7;
+    list[9].first.residual_slope = 0.0;
+    list[9].second = "FSLOPE";
+    list[10].first.residual_slope = 0.5 * list[10].first.YSLOPE;
+    list[10].second = "Residual slope";
+    list[11].first.fracture_energy = -1.0;
+    list[11].second = "Fracture energy";
+    return list;
+  }
+};
+template <>
+struct Sample<DamagedWetArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() {
+    return Sample<DamagedArenisca>::damaged(Sample<WetArenisca>::parameters());
+  }
+};
+
 /// The same rock full of water, weaker in triaxial extension than in compression, with the
 /// published backstress at the elastic centre.
 template <>

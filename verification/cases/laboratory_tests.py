@@ -9,11 +9,11 @@ from tools.plug import Plug, write_card
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 CARDS_FOLDER = REPOSITORY / "materials" / "cards"
-CARDS = ("berea_sandstone", "berea_sandstone_bounded")
+CARDS = ("berea_sandstone", "berea_sandstone_bounded", "berea_sandstone_damage")
 KEPT = CARDS[1]  # whose answers must hold
 MEGA = 1e6
 STEP = 2e-4  # axial strain of an increment
-PORE_STRAIN = 0.2231  # p3_crush_curve of both cards
+PORE_STRAIN = 0.2231  # p3_crush_curve of the cards
 SHORTENING = 0.05  # where volume strains are compared
 WATER = {"fluid_B0": 2.25e9, "Matrix bulk modulus": 36e9, "Backstress strain": "poroplastic"}
 
@@ -146,7 +146,9 @@ def run(barreno, full):
         "follow from the unconfined and the tensile strength, "
         "and in the bounds of its dilatancy: `Dilatancy limit` 5 % (range 2 to 10 %, assumed) and "
         "`Dilatancy pressure` 60 MPa (range 40 to 100 MPa, chosen for the three signs).\n\n"
-        "What does not hold: neither card depends on the rate (Arenisca's rate dependence is off in both, for want of a fit). Skempton's "
+        "`berea_sandstone_damage` adds damage: it bears the same until it breaks, and dilatancy ends with damage "
+        "([rock_damage](rock_damage.md)).\n\n"
+        "What does not hold: no card depends on the rate (Arenisca's rate dependence is off, for want of a fit). Skempton's "
         "coefficient follows from Gassmann's relation with water of 2.25 GPa, 20 % of pores and the drained modulus: 0.59. The measured "
         "set, 0.75 with an undrained modulus of 15.8 GPa, needs a fluid of 4 GPa in that relation. Its authors call it consistent to 20 %."
     )

@@ -20,6 +20,17 @@ def write_card(folder, card, parameters):
     return file
 
 
+def card_numbers(card):
+    """{name: number} of a card in SI."""
+    numbers = {}
+    for entry in xml.parse(card).getroot().iter("Parameter"):
+        try:
+            numbers[entry.get("name")] = float(entry.get("value"))
+        except ValueError:  # a word
+            continue
+    return numbers
+
+
 class Plug:
     """One point under axial strain and constant pressure at the side."""
 
@@ -51,9 +62,13 @@ class Plug:
         """Axial strain alone."""
         self._strain(0, strain)
 
-    def _strain(self, component, strain):
+    def squeeze(self, strain):
+        """The same strain along all axes."""
+        self._strain(slice(0, 3), strain)
+
+    def _strain(self, components, strain):
         increment = np.zeros((1, 6))
-        increment[0, component] = strain
+        increment[0, components] = strain
         answer = self.material.update(increment, self.stress, self.state, self.dt, CONSISTENT)
         assert not answer.status.any(), "the point failed"
         self.stress, self.state = answer.stress, answer.state

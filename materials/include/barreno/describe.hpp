@@ -32,6 +32,7 @@ inline constexpr Dimension compliance{1, 2, -1, 0};
 inline constexpr Dimension rate{0, -1, 0, 0};
 inline constexpr Dimension specific_energy{2, -2, 0, 0};
 inline constexpr Dimension heat_capacity{2, -2, 0, -1};
+inline constexpr Dimension energy_per_area{0, -2, 1, 0};
 }  // namespace dimension
 
 /// Interval of allowed values; each end open or closed.

@@ -36,6 +36,8 @@ using AnyModel = arenisca::WithOtherParts<JoinedVariants<
         RatedWetArenisca,
         AngledArenisca,
         AngledWetArenisca,
+        DamagedArenisca,
+        DamagedWetArenisca,
         GeneralArenisca>>::type>;
 
 /// Name of a model, and that of its form where several models serve one name: "Arenisca wet".

@@ -61,6 +61,8 @@ def check_surface(run):
     assert card.shear_at(-9.37e6 / 3.0, 0.0) == 0.0 < card.shear_at(-9.35e6 / 3.0, 0.0) and card.shear_at(1.23e9 / 3.0,
         0.0) == 0.0 < card.shear_at(1.22e9 / 3.0, 0.0)
     assert card.scaled(2.0).shear_at(-18e6 / 3.0, 0.0) > 0.0 == card.shear_at(-18e6 / 3.0, 0.0) and card.peak == 9.36e6
+    broken = card.scaled(1.0, 1.0)
+    assert broken.shear_at(0.0, 0.0) == 0.0 < broken.shear_at(1e8, 0.0) < card.shear_at(1e8, 0.0)
     p, q = card.curve(0.0, 1e9, 50)
     points = np.moveaxis(np.array(principal.revolved(p, q, 13, lode_shape("Mohr-Coulomb", 0.75))), 0, -1)
     mean, shear = principal.pressure_and_shear(points)
@@ -83,7 +85,7 @@ def path(stress, times=None):
     stress = np.array(stress, float)
     count = len(stress)
     return StressPath(7, "Sandstone", np.arange(count) * 1e-6 if times is None else times, np.zeros((count, 2)), stress,
-        np.full(count, np.nan), np.ones(count))
+        np.full(count, np.nan), np.ones(count), np.zeros(count))
 
 
 def check_coarse():

@@ -64,6 +64,8 @@ template <class R, class Law, class Holder>
 BARRENO_FUNCTION decltype(auto) rock_of(const Law& law, const Holder& holder) {
   if constexpr (Law::about_centre)
     return RockOf<R, Law>(law, holder.coherence, holder.fluid_mass_ratio);
+  else if constexpr (Law::damaged)
+    return RockOf<R, Law>(law, holder.coherence, holder.damage);
   else if constexpr (Law::scattered)
     return RockOf<R, Law>(law, holder.coherence);
   else

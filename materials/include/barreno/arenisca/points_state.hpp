@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/arenisca/points_angle.hpp"
+#include "barreno/arenisca/points_damage.hpp"
 #include "barreno/arenisca/points_pieces.hpp"
 #include "barreno/arenisca/points_pores.hpp"
 
@@ -177,7 +178,11 @@ template <class R, class Law>
 BARRENO_FUNCTION R metric_of(
     const RockOf<R, Law>& rock, const SubstepOf<R, Law>& step, const PredictionOf<R, Law>& p
 ) {
-  const R metric = rock.flow.metric(p.used, step.n.x, step.n.evp, step.cap);
+  R metric{};
+  if constexpr (Law::damaged)
+    metric = rock.flow.metric(p.used, step.n.x, step.n.evp, step.cap, rock.intact);
+  else
+    metric = rock.flow.metric(p.used, step.n.x, step.n.evp, step.cap);
   if constexpr (has_poroplastic_fluid<Law>)
     return metric * (1.0 + p.fall * rock.constituents.per_matrix);
   else

@@ -31,6 +31,7 @@ struct DryRock {
   static constexpr bool angled = false;        ///< no dependence on the third invariant
   static constexpr bool rated = false;         ///< no overstress
   static constexpr bool about_centre = false;  ///< I1 is not counted from an elastic centre
+  static constexpr bool damaged = false;       ///< its strength does not fall
 
   Elasticity elasticity;
   SurfaceOf<double, typename Parts::ShearLimit> surface;

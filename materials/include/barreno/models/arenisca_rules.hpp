@@ -76,6 +76,42 @@ inline std::string check_crushed_bulk_modulus(const AreniscaParameters& p) {
   return {};
 }
 
+/// What damage takes and leaves must be there.
+inline std::string check_damage(const AreniscaParameters& p) {
+  if (p.fracture_strain == 0.0) return {};
+  constexpr double steepest =
+      0.57735026918962576;  // 1/sqrt(3): sqrt(J2) over -I1 without confinement
+  const std::string strain = named("Fracture strain", p.fracture_strain);
+  if (p.PEAKI1 == 0.0) {
+    return strain +
+           " has no effect with PEAKI1 = 0 (rock without tensile strength has no cohesion to "
+           "lose); "
+           "set PEAKI1, or leave the damage out.";
+  }
+  const bool other = count_of_others(p) > 0;
+  if (p.T1_rate_dependence > 0.0 || p.J3_type != 0 || other || !is_plain_law(p, p.fluid_B0 > 0.0)) {
+    return strain +
+           " (damage) goes with neither rate dependence, J3_type, the bisection, a published pore "
+           "fluid nor parts from outside; leave those or the damage out.";
+  }
+  const bool own = p.residual_slope > 0.0;
+  const std::string slope = own ? named("Residual slope", p.residual_slope)
+                                : named("FSLOPE", p.FSLOPE) + " without a Residual slope";
+  if (own && p.residual_slope > p.FSLOPE) {
+    return slope + " exceeds " + named("FSLOPE", p.FSLOPE) +
+           " (rock would gain strength when it breaks); lower it.";
+  }
+  if (!((own ? p.residual_slope : p.FSLOPE) < steepest)) {
+    return slope + " leaves broken rock a strength without confinement (its slope is not below " +
+           "1/sqrt(3) = 0.577); set Residual slope, about 0.4 for a friction angle of 50 degrees.";
+  }
+  if (own && !(p.residual_slope > p.YSLOPE)) {
+    return slope + " is not above " + named("YSLOPE", p.YSLOPE) +
+           " (the limit surface of broken rock would open backwards); raise it.";
+  }
+  return {};
+}
+
 /// One part in place of a published one, in rock without the features that have forms of their own.
 inline std::string check_other_parts(const AreniscaParameters& p) {
   std::string words;
@@ -110,6 +146,7 @@ inline std::string check_arenisca(const AreniscaParameters& p) {
        {arenisca::check_fluid,
         arenisca::check_scattered_vertex,
         arenisca::check_crushed_bulk_modulus,
+        arenisca::check_damage,
         arenisca::check_other_parts})
     if (problem.empty()) problem = rule(p);
   return problem;

@@ -180,6 +180,7 @@ BARRENO_ALIKE MaskOf<R> end_step(
   h.plastic_volume_strain = real::select(good, step.state.evp, h.plastic_volume_strain);
   h.equivalent_plastic_strain =
       real::select(good, step.state.shear_strain, h.equivalent_plastic_strain);
+  if constexpr (Law::damaged) h.damage = real::select(good, step.damage, h.damage);
   keep_pores<R>(rock_of_pores<R>(rock, step), good, step.state.x, end.pores, h);
   PointsOutcome<R>& out = p.outcome;
   out.elastic_work = real::select(good, mean_ratio * end.elastic_work, out.elastic_work);
@@ -196,6 +197,10 @@ BARRENO_ALIKE StepOf<R, Law> begin_rock(const Law& law, const MaskOf<R>& flows, 
   const R& flowed = p.history.equivalent_plastic_strain;
   StepOf<R, Law> step = begin_step(rock, n, flowed, flows);
   if constexpr (Law::scattered) step.coherence = p.history.coherence;
+  if constexpr (Law::damaged) {
+    step.damage = p.history.damage;
+    step.fracture_strain = p.history.fracture_strain;
+  }
   if constexpr (Law::about_centre) step.fluid_mass_ratio = p.history.fluid_mass_ratio;
   return step;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/arenisca/points_angle.hpp"
+#include "barreno/arenisca/points_damage.hpp"
 #include "barreno/models/arenisca.hpp"
 #include "barreno/models/wet_arenisca.hpp"
 
@@ -11,12 +12,12 @@
 namespace barreno {
 
 /// Dry or wet Arenisca with rate dependence (arenisca/points_rate.hpp), strength that scatters
-/// (arenisca/parts/scatter.hpp) and, in the angled form, third invariant (arenisca/parts/lode.hpp):
-/// the same law, with features that the plain form leaves out when it is compiled. Those that a
-/// card does not ask for are off.
+/// (arenisca/parts/scatter.hpp) and, in the angled form, third invariant (arenisca/parts/lode.hpp);
+/// or with damage (arenisca/parts/damage.hpp) and scatter: the same law, with features that the
+/// plain form leaves out when it is compiled. Those that a card does not ask for are off.
 ///
 /// @param Plain     the form without them
-/// @param Law_      rock of arenisca/points_angle.hpp
+/// @param Law_      rock of arenisca/points_angle.hpp or points_damage.hpp
 /// @param History_  begins with that of Plain
 template <class Plain, class Law_, template <class> class History_>
 struct FeaturedForm {
@@ -29,13 +30,24 @@ struct FeaturedForm {
   template <class R>
   using HistoryOf = History_<R>;
   using History = HistoryOf<double>;
-  static constexpr int history_count = Plain::history_count + (Law::rated ? 7 : 1);
+  static constexpr int history_count =
+      Plain::history_count + 1 + (Law::rated ? 6 : 0) + (Law::damaged ? 2 : 0);
 
   static ParameterTable<Parameters> parameter_table() { return arenisca_parameter_table(); }
   static std::vector<HistoryField> history_table() {
     std::vector<HistoryField> table = Plain::history_table();
     table.push_back({"coherence", dimension::none, "strength at the vertex over the card's PEAKI1"}
     );
+    if (Law::damaged) {
+      table.push_back(
+          {"damage", dimension::none, "0: whole; 1: no cohesion and no tensile strength"}
+      );
+      table.push_back(
+          {"fracture_strain",
+           dimension::none,
+           "plastic strain of full damage in tension, for the size of the piece"}
+      );
+    }
     if (!Law::rated) return table;
     for (const char* component :
          {"overstress_xx",
@@ -56,9 +68,13 @@ struct FeaturedForm {
         rock_(make_rock(plain_)),
         weibull_(arenisca::Weibull::make(p, Plain::Law::Parts::ShearLimit::largest_factor(p))) {}
 
-  /// Gives a piece of rock the strength of its own; a host that makes pieces calls this once, one
-  /// that does not has the mean everywhere.
-  void vary(History& h, const Specimen& piece) const { h.coherence = weibull_.factor(piece); }
+  /// Gives a piece of rock the strength of its own, and the strain at which it breaks; a host that
+  /// makes pieces calls this once, one that does not has the mean everywhere.
+  void vary(History& h, const Specimen& piece) const {
+    h.coherence = weibull_.factor(piece);
+    if constexpr (Law::damaged)
+      h.fracture_strain = rock_.damage.strain_of(piece.per_crack * std::sqrt(piece.face));
+  }
   const arenisca::Weibull& weibull() const { return weibull_; }
 
   History initial_history() const { return full(plain_.initial_history()); }
@@ -83,6 +99,8 @@ struct FeaturedForm {
     MaskOf<R> sound =
         arenisca::sound_points(p.increment, p.stress, sum, h.equivalent_plastic_strain) &
         (h.coherence >= 0.0);
+    if constexpr (Law::damaged)
+      sound = sound & (h.damage >= 0.0) & (h.damage <= 1.0) & (h.fracture_strain > 0.0);
     if constexpr (Law::wet) sound = sound & arenisca::sound_pores<R, Law>(h);
     return arenisca::start_rock<R>(rock_, sound, p);
   }
@@ -114,6 +132,10 @@ protected:
     static_cast<typename Plain::Law&>(rock) = plain.rock();
     arenisca::set_strength(p, rock);
     if constexpr (Law::angled) rock.lode = {p.J3_type, p.J3_psi};
+    if constexpr (Law::damaged) {
+      rock.damage = arenisca::Damage::make(p);
+      arenisca::set_damage(rock);
+    }
     if constexpr (Law::rated) {
       rock.T1 = p.T1_rate_dependence;
       rock.T2 = p.T2_rate_dependence;
@@ -133,14 +155,14 @@ protected:
       reals_of<double>(part)[i] = reals_of<double>(h)[i];
     return part;
   }
-  BARRENO_FUNCTION static History full(const typename Plain::History& part) {
+  BARRENO_FUNCTION History full(const typename Plain::History& part) const {
     History h;
     for (int i = 0; i < Plain::history_count; ++i)
       reals_of<double>(h)[i] = reals_of<double>(part)[i];
+    if constexpr (Law::damaged) h.fracture_strain = rock_.damage.strain;
     return h;
   }
-  static InitialStateOf<Sym3, History> full(const InitialStateOf<Sym3, typename Plain::History>& s
-  ) {
+  InitialStateOf<Sym3, History> full(const InitialStateOf<Sym3, typename Plain::History>& s) const {
     return {s.stress, full(s.history), s.volume_ratio, s.stored_energy, s.possible};
   }
 
@@ -153,6 +175,20 @@ template <class R>
 struct ScatteredHistoryOf {
   R plastic_volume_strain{}, equivalent_plastic_strain{};
   R coherence = R{} + 1.0;
+};
+template <class R>
+struct DamagedHistoryOf {
+  R plastic_volume_strain{}, equivalent_plastic_strain{};
+  R coherence = R{} + 1.0;
+  R damage{}, fracture_strain = R{} + 1.0;
+};
+template <class R>
+struct DamagedWetHistoryOf {
+  R plastic_volume_strain{}, equivalent_plastic_strain{};
+  R fluid_mass_ratio = R{} + 1.0;
+  R pore_pressure{}, porosity{}, gas{};
+  R coherence = R{} + 1.0;
+  R damage{}, fracture_strain = R{} + 1.0;
 };
 template <class R>
 struct FeaturedHistoryOf {
@@ -176,17 +212,19 @@ using FeaturedDryForm = FeaturedForm<Arenisca, Law, FeaturedHistoryOf>;
 using ScatteredForm =
     FeaturedForm<Arenisca, arenisca::ScatteredRock<arenisca::Rock>, ScatteredHistoryOf>;
 
+using DamagedForm = FeaturedForm<Arenisca, arenisca::DamagedRock<arenisca::Rock>, DamagedHistoryOf>;
+
 /// With fluid in its pores, in the poroplastic form.
-template <class Law>
-struct FeaturedWetForm : FeaturedForm<WetArenisca, Law, FeaturedWetHistoryOf> {
-  using Base = FeaturedForm<WetArenisca, Law, FeaturedWetHistoryOf>;
+template <class Law, template <class> class History_ = FeaturedWetHistoryOf>
+struct FeaturedWetForm : FeaturedForm<WetArenisca, Law, History_> {
+  using Base = FeaturedForm<WetArenisca, Law, History_>;
   using History = typename Base::History;
   using Base::Base;
 
   using Base::initial_state;
   /// See WetArenisca.
   InitialStateOf<Sym3, History> initial_state(double pressure, double pore_pressure) const {
-    return Base::full(this->plain_.initial_state(pressure, pore_pressure));
+    return this->full(this->plain_.initial_state(pressure, pore_pressure));
   }
   double virgin_pressure() const { return this->plain_.virgin_pressure(); }
   /// The fluid of a point, see PorePoint.
@@ -197,8 +235,9 @@ struct FeaturedWetForm : FeaturedForm<WetArenisca, Law, FeaturedWetHistoryOf> {
     return arenisca::drain_point(*this, this->rock_, fluid_volume, stress, h);
   }
   BARRENO_FUNCTION static bool sound_history(const History& h) {
-    return WetArenisca::sound_history(Base::plain(h)) &&
-           is_finite(arenisca::overstress_of<double>(h)) && h.coherence >= 0.0;
+    if constexpr (Law::rated)
+      if (!is_finite(arenisca::overstress_of<double>(h))) return false;
+    return WetArenisca::sound_history(Base::plain(h)) && h.coherence >= 0.0;
   }
 };
 
@@ -228,6 +267,19 @@ struct AngledWetArenisca : FeaturedWetForm<arenisca::AngledRock<arenisca::WetRoc
   using FeaturedWetForm::FeaturedWetForm;
   static constexpr const char* form = "angled wet";
   static bool needed(const Parameters& p) { return arenisca::is_angled(p, true); }
+};
+
+struct DamagedArenisca : DamagedForm {
+  using FeaturedForm::FeaturedForm;
+  static constexpr const char* form = "damaged";
+  static bool needed(const Parameters& p) { return arenisca::is_damaged(p, false); }
+};
+using DamagedWetForm =
+    FeaturedWetForm<arenisca::DamagedRock<arenisca::WetRock>, DamagedWetHistoryOf>;
+struct DamagedWetArenisca : DamagedWetForm {
+  using DamagedWetForm::DamagedWetForm;
+  static constexpr const char* form = "damaged wet";
+  static bool needed(const Parameters& p) { return arenisca::is_damaged(p, true); }
 };
 
 }  // namespace barreno

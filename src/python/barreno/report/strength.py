@@ -44,6 +44,8 @@ class Strength:
         self.peak, self.FSLOPE, self.STREN, self.YSLOPE = (number(name) for name in ("PEAKI1", "FSLOPE", "STREN", "YSLOPE"))
         most = number("Strength limit")
         self.most = most if most > 0.0 else np.inf
+        residual = number("Residual slope")
+        self.residual = residual if residual > 0.0 else self.FSLOPE
         self.CR, self.p0, self.p1, self.p3 = (number(name) for name in ("CR", "p0_crush_curve", "p1_crush_curve", "p3_crush_curve"))
         if not np.isfinite([self.peak, self.FSLOPE, self.STREN, self.YSLOPE]).all():
             raise ValueError("the card lacks a parameter of strength")
@@ -79,10 +81,11 @@ class Strength:
             return -np.inf
         return self.p0 + np.log1p(e / self.p3) / self.p1 if e <= 0.0 else self.p0 * (1.0 + e) ** (1.0 / (self.p0 * self.p1 * self.p3))
 
-    def scaled(self, coherence):
-        """Of a particle whose vertex is so many times PEAKI1."""
+    def scaled(self, coherence, damage=0.0):
+        """Of a particle whose vertex is so many times PEAKI1 before damage (docs/method.md 18)."""
         other = copy.copy(self)
-        other.peak = coherence * self.peak
+        other.peak = (1.0 - damage) * coherence * self.peak
+        other.FSLOPE = self.FSLOPE - damage * (self.FSLOPE - self.residual)
         return other
 
     def shear_at(self, p, e):

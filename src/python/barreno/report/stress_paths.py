@@ -30,7 +30,8 @@ class StressPath:
     places: np.ndarray  # (time, axis) [m]
     stress: np.ndarray  # (time, 3): principal stresses that begin along y, x and z [Pa]
     strain: np.ndarray  # plastic volume strain; nan of a material without
-    coherence: np.ndarray  # strength at the vertex over that of the card
+    coherence: np.ndarray  # strength at the vertex over that of the card, before damage
+    damage: np.ndarray  # 0 of rock without damage
 
     @property
     def pressure(self):
@@ -121,14 +122,15 @@ def path_of(file, element):
     pores = np.nan_to_num(file.series("pore_pressure", element)[alive])
     stress = along_path(tensors(*parts)) - pores[:, None]
     coherence = np.nan_to_num(file.series("coherence", element)[alive], nan=1.0)
+    damage = np.nan_to_num(file.series("damage", element)[alive])
     strain = file.series("plastic_volume_strain", element)[alive]
     return StressPath(int(file.numbers[element]), file.block_names[file.block[element]], file.times[alive], file.track(element)[alive],
-        stress[:, [1, 0, 2]], strain, coherence)
+        stress[:, [1, 0, 2]], strain, coherence, damage)
 
 
 def surface_now(path, strength, at):
     """(Strength, plastic volume strain) of a particle at a time of its path."""
-    return strength.scaled(float(path.coherence[at])), float(np.nan_to_num(path.strain[at]))
+    return strength.scaled(float(path.coherence[at]), float(path.damage[at])), float(np.nan_to_num(path.strain[at]))
 
 
 def share_of_strength(path, strength, at):

@@ -66,7 +66,12 @@ struct FlowRule {
   /// What is left of BETA^2 at I1 = x and volumetric plastic strain evp.
   template <class R>
   BARRENO_FUNCTION R share(const R& x, const R& evp, const CapOf<R>& cap) const {
-    const R room = real::larger(R(1.0 - per_strain * real::larger(evp, 0.0)), least);
+    return share_of(R(1.0 - per_strain * real::larger(evp, 0.0)), x, cap);
+  }
+  /// @param dilating  what the strain leaves of it
+  template <class R>
+  BARRENO_FUNCTION R share_of(const R& dilating, const R& x, const CapOf<R>& cap) const {
+    const R room = real::larger(dilating, least);
     const R pressed = real::exp(R((per_pressure / 3.0) * real::smaller(x, 0.0)));
     const R left = real::larger(R(room * pressed), least_of_all);
     const MaskOf<R> on_cap = cap.present & (x < cap.kappa);
@@ -83,6 +88,17 @@ struct FlowRule {
     const R whole = (9.0 * beta * beta) * m.bulk / m.shear;
     if (per_strain == 0.0 && per_pressure == 0.0) return whole;
     return whole * share(x, evp, cap);
+  }
+  /// The same of rock that is damaged: where dilatancy is bounded, it ends with the damage.
+  /// @param intact  1 - D
+  template <class R>
+  BARRENO_FUNCTION R metric(
+      const ModuliOf<R>& m, const R& x, const R& evp, const CapOf<R>& cap, const R& intact
+  ) const {
+    const R whole = (9.0 * beta * beta) * m.bulk / m.shear;
+    if (per_strain == 0.0 && per_pressure == 0.0) return whole;
+    const R dilating = intact * (1.0 - per_strain * real::larger(evp, 0.0));
+    return whole * share_of(dilating, x, cap);
   }
 };
 

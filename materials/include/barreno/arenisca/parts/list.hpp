@@ -4,6 +4,7 @@
 #include "barreno/arenisca/parts/accuracy.hpp"
 #include "barreno/arenisca/parts/cap_shape.hpp"
 #include "barreno/arenisca/parts/crush_curve.hpp"
+#include "barreno/arenisca/parts/damage.hpp"
 #include "barreno/arenisca/parts/elasticity.hpp"
 #include "barreno/arenisca/parts/flow_rule.hpp"
 #include "barreno/arenisca/parts/fluid.hpp"
@@ -46,7 +47,8 @@ using AllParts = JoinedLists<
         Fluid,
         Rate,
         Lode,
-        Weibull>,
+        Weibull,
+        Damage>,
     OtherParts>::type;
 
 /// The parts that a form may exchange.

@@ -13,6 +13,7 @@ struct Specimen {
   std::uint64_t id = 0;  ///< the same for any number of ranks and any order
   double volume = 0.0;  ///< full circle in axisymmetry, per unit thickness in plane strain [volume]
   double face = 0.0;    ///< area in the plane [area]
+  double per_crack = 1.0;  ///< pieces that lie side by side in a crack, across it
 };
 
 namespace arenisca {

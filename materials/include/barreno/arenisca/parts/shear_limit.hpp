@@ -193,13 +193,18 @@ struct ShearLimit {
   /// @param peak  PEAKI1 of the points
   template <class R>
   BARRENO_FUNCTION static Of<R> make(const Parameters& p, const R& peak) {
+    return make(p, peak, R(R{} + p.FSLOPE));
+  }
+  /// @param slope  at the vertex, instead of FSLOPE
+  template <class R>
+  BARRENO_FUNCTION static Of<R> make(const Parameters& p, const R& peak, const R& slope) {
     Of<R> s;
     s.peak = s.vertex = peak;
-    s.steepest = R{} + p.FSLOPE;
+    s.steepest = slope;
     s.straight = p.STREN == 0.0 || p.FSLOPE == 0.0;
     if (p.STREN == 0.0) {
-      s.a1 = peak * p.FSLOPE;
-      s.a4 = R{} + p.FSLOPE;
+      s.a1 = peak * slope;
+      s.a4 = slope;
     } else if (p.FSLOPE == 0.0) {
       // No vertex: P = 0 would forbid tension.
       s.a1 = R{} + p.STREN;
@@ -207,7 +212,7 @@ struct ShearLimit {
     } else {
       const R room = p.STREN - p.YSLOPE * peak;
       s.a1 = R{} + p.STREN;
-      s.a2 = (p.FSLOPE - p.YSLOPE) / room;
+      s.a2 = (slope - p.YSLOPE) / room;
       s.a3 = room * real::exp(R(-s.a2 * peak));
       s.a4 = R{} + p.YSLOPE;
     }
