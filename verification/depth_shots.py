@@ -23,13 +23,10 @@ STORED = pathlib.Path(__file__).resolve().parent / "results" / "depth_shots.json
 DIVIDED = {"Jet/Particles Per Cell": "2", "Jet/Splits": "4", "Output/Field Interval": "0 us"}
 
 
-def profile_of(folder):
-    """Radius of the hole at the end [mm], every STEP along its depth."""
+def profile_of(hole):
+    """Radius of the hole [mm], every STEP along its depth."""
     import numpy as np
 
-    import barreno
-
-    hole = barreno.open(folder).hole
     depths = np.arange(STEP, 1e3 * hole.length, STEP)
     return [round(float(radius), 3) for radius in np.interp(depths, 1e3 * hole.depth, 1e3 * hole.radius)]
 
@@ -53,16 +50,29 @@ def draw(shots):
     figure.savefig(PICTURE, dpi=100)
 
 
-def measured(finished, scale):
-    """Depths at TIMES of a jet that is slower by `scale`, and what else is kept of a run."""
+def measured(finished, widest, scale):
+    """Depths at TIMES of a jet that is slower by `scale`, how far its hole is as wide as its widest slug at the end, and what else is kept
+    of a run."""
+    import barreno
     import numpy as np
 
     summary, table = finished.summary, finished.table("depth.csv")
-    at = lambda name: [round(float(depth), 6) for depth in np.interp([1e-6 * scale * time for time in TIMES], table["time"], table[name])]  # noqa: E731
+    depths = np.interp([1e-6 * scale * time for time in TIMES], table["time"], table["depth"])
+    hole = barreno.open(finished.folder).hole
     return {
-        "depth": at("depth"), "probed_depth": at("probed_depth"), "channel_volume": summary["penetration"]["channel_volume"],
-        "profile": profile_of(finished.folder), "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
+        "depth": [round(float(depth), 6) for depth in depths], "probed_depth": round(hole.probed_depth(widest), 6),
+        "channel_volume": summary["penetration"]["channel_volume"], "profile": profile_of(hole),
+        "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
     }  # fmt: skip
+
+
+def keep(shot, cells, one):
+    """Beside what is stored of other runs."""
+    print(shot, cells, one, flush=True)
+    found = json.loads(STORED.read_text()) if STORED.exists() else {}
+    found.setdefault(shot, {})[cells] = one
+    runs = {name: found[name] for name in SHOTS if name in found}
+    STORED.write_text(json.dumps({name: dict(sorted(by.items(), key=lambda of: float(of[0]))) for name, by in runs.items()}, indent=1) + "\n")
 
 
 def main():
@@ -76,12 +86,9 @@ def main():
         parser.error(f"there is no shot '{unknown[0]}'; there are {', '.join(SHOTS)}")
     for shot in options.what or SHOTS:
         for cells in options.cells:
-            entries, scale = settings_of(shot)
-            one = measured(run_deck(options.barreno.resolve(), "perforation_at_rest.xml", {**entries, **DIVIDED, "Jet/Cells Per Radius": cells}), scale)
-            print(shot, cells, one, flush=True)
-            found = json.loads(STORED.read_text()) if STORED.exists() else {}
-            found.setdefault(shot, {})[cells] = one
-            STORED.write_text(json.dumps({name: found[name] for name in SHOTS if name in found}, indent=1) + "\n")
+            entries, widest, scale = settings_of(shot)
+            settings = {**entries, **DIVIDED, "Jet/Cells Per Radius": cells}
+            keep(shot, cells, measured(run_deck(options.barreno.resolve(), "perforation_at_rest.xml", settings), widest, scale))
     draw(json.loads(STORED.read_text()))
     write_pages()
     return 0

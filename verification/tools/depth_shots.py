@@ -28,6 +28,7 @@ def scaled_table(velocity=1.0, radius=1.0):
 ROCK = "Materials/Sandstone/Card"
 SHOTS = {  # what differs from the deck: settings, and factors of the jet's velocity and radius
     "the deck": ({}, {}),
+    "the deck, to 560 us": ({"Time/End Time": "560 us"}, {}),
     "no confinement": ({"Confinement": ""}, {}),
     "confinement of 138 MPa": ({"Confinement/Pressure": "138 MPa"}, {}),
     "rock with a limit of strength and stiffening grains": ({ROCK: "berea_sandstone_shock.xml"}, {}),
@@ -44,10 +45,10 @@ SHOTS = {  # what differs from the deck: settings, and factors of the jet's velo
 
 
 def settings_of(shot):
-    """Deck entries of a shot, its end included; and by how much it is slower."""
+    """Deck entries of a shot, its end included; the radius of its widest slug [m]; and by how much it is slower."""
     entries, factors = SHOTS[shot]
     scale = 1.0 / factors.get("velocity", 1.0)
-    found = {**entries, "Time/End Time": f"{scale * TIMES[-1]:.6g} us"}
+    found = {"Time/End Time": f"{scale * TIMES[-1]:.6g} us", **entries}
     if factors:
         found["Jet/Table"] = scaled_table(**factors)
-    return found, scale
+    return found, 1e-3 * WIDEST * factors.get("radius", 1.0), scale

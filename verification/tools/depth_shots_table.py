@@ -11,7 +11,7 @@ FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth th
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 # Single runs that should agree differ: twice the standard deviation of one that docs/trade.md has where most of the depth is dug.
 SCATTER = 0.03
-WHAT = {"depth": "depth", "probed depth": "probed_depth"}  # in words: in the file
+WHAT = ("depth", "probed depth")
 FINER = "bounded/3.2/2+4"  # of depth_at_rest.json, whose times it has up to 280 us
 FINER_TIMES = (20, 60, 90, 120, 150, 200, 240, 280)
 
@@ -27,7 +27,7 @@ def times_of(what):
 
 
 def at(one, what, time):
-    return one[WHAT[what]][TIMES.index(time)]
+    return one["depth"][TIMES.index(time)] if what == "depth" else one["probed_depth"]
 
 
 def changes(coarse, fine, what):
@@ -78,11 +78,25 @@ def trials():
                 yield shot, cells, finest, what, depth, interval, truth, covered(depth, known[cells][what], truth)
 
 
-HEAD = f"""How wide the hole must be decides whether its depth is known. The thread is thinner than the jet. Where the hole is as wide as the widest
-slug, so that a probe of that diameter comes down (`probed_depth` in depth.csv and on the screen), it no longer grows after
-{REST} us, and its depth hardly follows the cells. Shots unlike the deck, with divided particles, at that time
-(`verification/depth_shots.py BARRENO`; the depth, and how far the hole is as wide as the jet [mm]; the interval is that of the program, from
-the first shot alone):
+LATER = "the deck, to 560 us"
+HEAD = """How wide the hole must be decides whether its depth is known. The thread is thinner than the jet. Where the hole is as wide as the
+widest slug, so that a probe of that diameter comes down (`probed_depth` in depth.csv and on the screen), it hardly grows after {rest} us
+({grown}), and its depth hardly follows the cells. Shots with divided particles at that time (`verification/depth_shots.py BARRENO`; the
+depth, and how far the hole is as wide as the jet [mm]; the interval is that of the program, made from the deck alone):
+"""
+
+
+def head():
+    found = shots()
+    cells = min(found[LATER])
+    ends = (1e3 * found[shot][cells]["probed_depth"] for shot in (DECK, LATER))
+    return HEAD.format(rest=REST, grown="{:.0f} mm then and {:.0f} mm at 560 us with ".format(*ends) + f"{cells:g} cells per radius")
+
+
+PICTURE = """![Radius of the hole against depth, with three sizes of cells](pictures/hole_of_cells.png)
+
+The hole is the same with every size of cells, down to where it is as narrow as the jet (the deck at the same time). Only the thread
+behind it differs.
 """
 
 
@@ -102,8 +116,9 @@ def summary():
         all_of = [one for one in trials() if one[3] == what and one[0] != DECK]
         held = sum(one[-1] for one in all_of)
         words = "the depth" if what == "depth" else "the depth of the hole as wide as the jet"
-        yield f"Of {len(all_of)} intervals of {words} that the deck did not make, {held} hold the depth with smaller cells."
+        if all_of:
+            yield f"Of {len(all_of)} intervals of {words} that the deck did not make, {held} hold the depth with smaller cells."
 
 
 def section():
-    return "\n".join([HEAD, *table(), "", *summary()])
+    return "\n".join([head(), *table(), "", *summary(), "", PICTURE])
