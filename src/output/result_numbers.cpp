@@ -46,7 +46,7 @@ std::string depth_words(const Scene& scene, const Penetration& p) {
   }
   text += number_line(", open channel %.2f mm", 1e3 * p.channel_depth);
   const double widest = widest_radius(scene);
-  if (widest > 0.0)
+  if (is_divided(scene))  // whose depth may be that of a thread
     text += number_line(", as wide as the jet (%.2f mm)", 2e3 * widest) +
             number_line(" to %.2f mm", 1e3 * p.probed_depth);
   return text;

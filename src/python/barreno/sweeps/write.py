@@ -9,7 +9,6 @@ COLUMNS = {  # number of summary.json: head and factor on the screen
     "penetration.depth": ("depth [mm]", 1e3),
     "penetration.through_since": ("through since [us]", 1e6),
     "penetration.channel_depth": ("open channel [mm]", 1e3),
-    "penetration.probed_depth": ("as wide as the jet to [mm]", 1e3),
     "balances.energy.error": ("energy error", 1.0),
     "wall_seconds": ("wall time [s]", 1.0),
 }
