@@ -155,8 +155,8 @@ def run(barreno, full):
         "Sandstone that breaks",
         "Rock with damage loses cohesion and tensile strength and keeps its friction, and a crack takes the same work in cells of any "
         "size.",
-        "the equations of [method](../method.md) 18 written anew, integrated over the plastic strain (`verification/oracles/rock_damage.py`). "
-        "One material point, no grid.",
+        "the equations of [method](../method.md) 18 written anew, integrated over the plastic strain "
+        "(`verification/oracles/rock_damage.py`). One material point, no grid.",
         COLUMNS,
         [],
     )  # fmt: skip
