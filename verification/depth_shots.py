@@ -71,8 +71,8 @@ def keep(shot, cells, one):
     print(shot, cells, one, flush=True)
     found = json.loads(STORED.read_text()) if STORED.exists() else {}
     found.setdefault(shot, {})[cells] = one
-    runs = {name: found[name] for name in SHOTS if name in found}
-    STORED.write_text(json.dumps({name: dict(sorted(by.items(), key=lambda of: float(of[0]))) for name, by in runs.items()}, indent=1) + "\n")
+    runs = {name: dict(sorted(found[name].items(), key=lambda of: float(of[0]))) for name in SHOTS if name in found}
+    STORED.write_text(json.dumps(runs, indent=1) + "\n")
 
 
 def main():

@@ -95,8 +95,7 @@ def head():
 
 PICTURE = """![Radius of the hole against depth, with three sizes of cells](pictures/hole_of_cells.png)
 
-The hole is the same with every size of cells, down to where it is as narrow as the jet (the deck at the same time). Only the thread
-behind it differs.
+The hole hardly follows the cells down to where it is as narrow as the jet (the deck at the same time); the thread behind it does.
 """
 
 
@@ -105,8 +104,8 @@ def table():
         "|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for shot, cells, finest, what, depth, (low, high), truth, held in trials():
         words = "the tip" if what == "depth" else "the hole as wide as the jet"
-        lines.append(f"| {shot} | {cells:g} | {words} | {1e3 * depth:.0f} | {1e3 * low:.0f} to {1e3 * high:.0f} | {1e3 * truth:.0f} | {finest:g} | "
-            f"{'yes' if held else 'no'} |")  # fmt: skip
+        lengths = f"{1e3 * depth:.0f} | {1e3 * low:.0f} to {1e3 * high:.0f} | {1e3 * truth:.0f}"
+        lines.append(f"| {shot} | {cells:g} | {words} | {lengths} | {finest:g} | {'yes' if held else 'no'} |")
     return lines
 
 

@@ -5,7 +5,8 @@ ENERGIES = ("kinetic", "elastic", "plastic", "viscous", "boundary_work", "launch
     "transfer", "removed_kinetic", "friction", "remembered", "explosive", "fluid_work")
 UNITS = {
     **dict.fromkeys(ENERGIES, "J"), **dict.fromkeys(("time", "dt"), "s"), **dict.fromkeys(("mass", "jet_mass_inside"), "kg"),
-    **dict.fromkeys(("momentum", "rigid_impulse"), "kg m/s"), **dict.fromkeys(("depth", "channel_depth", "probed_depth", "channel_radius_mid"), "m"),
+    **dict.fromkeys(("momentum", "rigid_impulse"), "kg m/s"),
+    **dict.fromkeys(("depth", "channel_depth", "probed_depth", "channel_radius_mid"), "m"),
     **dict.fromkeys(("fluid", "fluid_inflow", "fluid_removed"), "m3"), "tip_velocity": "m/s",
 }  # fmt: skip
 ENDINGS = {"_force_x": "N", "_force_y": "N", "_force_z": "N", "_impulse_x": "kg m/s", "_impulse_y": "kg m/s", "_impulse_z": "kg m/s",
