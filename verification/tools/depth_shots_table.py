@@ -100,8 +100,8 @@ The hole hardly follows the cells down to where it is as narrow as the jet (the 
 
 
 def table():
-    lines = ["| shot | cells per radius | depth of | depth [mm] | interval [mm] | with smaller cells [mm] | their cells per radius | held |",
-        "|---|---|---|---|---|---|---|---|"]  # fmt: skip
+    head = ("shot", "cells per radius", "depth of", "depth [mm]", "interval [mm]", "with smaller cells [mm]", "their cells per radius", "held")
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for shot, cells, finest, what, depth, (low, high), truth, held in trials():
         words = "the tip" if what == "depth" else "the hole as wide as the jet"
         lengths = f"{1e3 * depth:.0f} | {1e3 * low:.0f} to {1e3 * high:.0f} | {1e3 * truth:.0f}"
