@@ -100,7 +100,8 @@ The hole hardly follows the cells down to where it is as narrow as the jet (the 
 
 
 def table():
-    head = ("shot", "cells per radius", "depth of", "depth [mm]", "interval [mm]", "with smaller cells [mm]", "their cells per radius", "held")
+    head = ("shot", "cells per radius", "depth of", "depth [mm]", "interval [mm]", "with smaller cells [mm]", "their cells per radius",
+        "held")
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for shot, cells, finest, what, depth, (low, high), truth, held in trials():
         words = "the tip" if what == "depth" else "the hole as wide as the jet"
