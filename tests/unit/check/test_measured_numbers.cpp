@@ -55,7 +55,8 @@ private:
 };
 
 const char* const cost_files[] = {"update_costs.csv", "cost_factors.csv"};
-const char* const depth_files[] = {"depths_of_cells.csv", "steady_errors.csv", "length_errors.csv", "divided_errors.csv"};
+const char* const depth_files[] = {
+    "depths_of_cells.csv", "steady_errors.csv", "length_errors.csv", "divided_errors.csv"};
 
 TEST(MeasuredNumbers, AreInstalledInWhole) {
   EXPECT_EQ(cost_tables().problem, "");

@@ -87,7 +87,10 @@ struct Fracture {
     R damage{};
   };
   static std::vector<HistoryField> history_table() {
-    return {{"damage", dimension::none, "damage from 0 to 1; 1: broken, in metal by damage or by spall"}};
+    return {
+        {"damage",
+         dimension::none,
+         "damage from 0 to 1; 1: broken, in metal by damage or by spall"}};
   }
   static Fracture make(const Parameters& p) { return {p, has_damage(p)}; }
   static bool has_damage(const Parameters& p) {
