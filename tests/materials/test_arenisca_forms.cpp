@@ -44,6 +44,10 @@ Arenisca::Parameters with_features(Arenisca::Parameters p) {
     p.weibull_modulus = features.weibull_modulus;
     p.weibull_reference_volume = features.weibull_reference_volume;
   }
+  p.fracture_strain = features.fracture_strain;
+  p.fracture_energy = features.fracture_energy;
+  p.residual_slope = features.residual_slope;
+  p.damage_pressure = features.damage_pressure;
   p.J3_type = features.J3_type;
   p.J3_psi = features.J3_psi;
   return p;
@@ -81,6 +85,7 @@ private:
     h.plastic_volume_strain = rock.history.plastic_volume_strain;
     h.equivalent_plastic_strain = rock.history.equivalent_plastic_strain;
     if constexpr (Law::scattered) h.coherence = 0.5 + unit();
+    if constexpr (Law::damaged) h.damage = unit() < 0.5 ? unit() : 0.0;
     if constexpr (Law::rated) {
       h.overstress_xx = 1e7 * (unit() - 0.5);
       h.overstress_xy = 1e7 * (unit() - 0.5);
@@ -185,6 +190,7 @@ protected:
       const Arenisca::Parameters p = with_features<Form>(sets[k]);
       const bool dry_only = sets[k].grain_stiffening > 0.0;  // refused in wet rock
       if (Form::Law::wet && (!porous || dry_only)) continue;
+      if (Form::Law::damaged && !(p.PEAKI1 > 0.0)) continue;  // no cohesion that is lost
       ASSERT_EQ(Form::check(p, 1.0), "");
       const Form form(p, 1.0);
       FormSampler<Form> sampler(form, p, static_cast<unsigned>(k));

@@ -124,7 +124,8 @@ TYPED_TEST(EveryModel, HasATangentOfWhatItDoes) {
       );
       ASSERT_FALSE(point.apply(way, 0.0).failed());
       const double scale = point.last.longitudinal_modulus;
-      const bool kink = difference(expected.left, expected.right) > 1e-3 * scale;
+      // Half of a kink is an error of the central difference (rock that is broken within the step).
+      const bool kink = difference(expected.left, expected.right) > 1e-4 * scale;
       const bool jumps = was_dilated != is_dilated<TypeParam>(point);  // tested above, apart
       if (kink || jumps || !expected.same_substeps) continue;
       ++checked;

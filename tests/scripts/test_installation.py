@@ -183,7 +183,7 @@ def check_python(here):
     bare.write_text('#!/bin/sh\nexec /usr/bin/python3 -S "$@"\n')
     bare.chmod(0o755)
     said = here.barreno("report", "one", code=2, BARRENO_PYTHON=str(bare))
-    assert said.startswith("barreno: Python lacks numpy matplotlib pandas netCDF4 (") and len(said.splitlines()) == 1, said
+    assert said.startswith("barreno: Python lacks numpy matplotlib pandas netCDF4 jinja2 (") and len(said.splitlines()) == 1, said
     bare.write_text("#!/bin/sh\nexit 1\n")
     said = here.barreno("report", "one", code=2, BARRENO_PYTHON=str(bare))
     assert said.startswith("barreno: Python does not start (") and len(said.splitlines()) == 1, said
