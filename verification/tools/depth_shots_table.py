@@ -117,7 +117,7 @@ def summary():
         held = sum(one[-1] for one in all_of)
         words = "the depth" if what == "depth" else "the depth of the hole as wide as the jet"
         if all_of:
-            yield f"Of {len(all_of)} intervals of {words} that the deck did not make, {held} hold the depth with smaller cells."
+            yield f"Of {len(all_of)} intervals of {words} in shots other than the deck, {held} hold the depth with smaller cells."
 
 
 def section():
