@@ -92,7 +92,7 @@ std::string error_line(const DepthDoubt& doubt) {
 std::string depth_line(const Scene& scene) {
   const double end = expected_end(scene);
   if (estimate_jet(scene, end).thinnest == 0.0) return {};
-  const std::string line = error_line(depth_doubt(scene, end));
+  std::string line = error_line(depth_doubt(scene, end));
   if (!is_divided(scene)) return line;
   return line + "          of the hole as wide as the jet: " +
          depth_doubt_text(probed_depth_doubt(scene, end, Penetration{})) + "\n";

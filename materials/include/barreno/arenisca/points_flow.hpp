@@ -148,8 +148,7 @@ BARRENO_FUNCTION FlowStartOf<R, Law> flow_start_of(
   const R length = real::sqrt(length_squared);
   const R reach = larger_of(f.q, R(surface.steepest * (surface.vertex - f.x)));
   MaskOf<R> at_vertex = (reach <= near_vertex * p.q) | (length == 0.0);
-  // A vertex that has come down with damage may leave the stress beyond it.
-  if constexpr (Law::damaged) at_vertex = at_vertex | (f.x >= surface.vertex);
+  if constexpr (Law::damaged) at_vertex = at_vertex | (f.x >= surface.vertex);  // it has come down
   const R inverse = 1.0 / real::select(at_vertex, 1.0, length);
   f.scale = real::select(at_vertex, 0.0, 1.0);
   f.normal_x = along * inverse;
