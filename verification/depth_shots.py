@@ -14,7 +14,7 @@ import pathlib
 import sys
 
 from tools import foreign_python  # noqa: F401
-from tools.depth_shots import PICTURE, SHOTS, STEP, TIMES, WIDEST, settings_of
+from tools.depth_shots import PICTURE, SHOTS, STEP, TIMES, settings_of, widest_slug
 from tools.penetration import between_particles_and_grid
 from tools.runs import run_deck
 from tools.write_pages import write_pages
@@ -42,7 +42,7 @@ def draw(shots):
     for cells, one in shots["the deck"].items():
         radii = one["profile"]
         axes.plot([STEP * (i + 1) for i in range(len(radii))], radii, label=f"{cells} cells per radius of the tip")
-    axes.axhline(WIDEST, color="k", lw=0.8, ls="--", label="radius of the widest slug")
+    axes.axhline(1e3 * widest_slug(), color="k", lw=0.8, ls="--", label="radius of the widest slug")
     axes.set(xlabel="depth [mm]", ylabel="radius of the hole [mm]", xlim=(0.0, None), ylim=(0.0, 8.0))
     axes.legend(fontsize=7)
     axes.grid(alpha=0.3)

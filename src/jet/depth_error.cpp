@@ -67,7 +67,7 @@ DepthError row_error(const DepthTables& tables, std::size_t index, double depth,
 /// How far a jet may be from the measured one, in density and velocity.
 constexpr double largest_ratio = 1.3;
 bool is_near(double ratio) {
-  return ratio < largest_ratio && ratio > 1.0 / largest_ratio;
+  return is_within(ratio, largest_ratio);
 }
 
 /// The longest body in the jet's path.
@@ -100,6 +100,21 @@ const char* const depth_error_source =
 const char* const unknown_error_advice =
     "barreno converge compares three sizes of cells, and the error is at least their spread";
 
+bool is_within(double ratio, double factor) {
+  return ratio < factor && ratio > 1.0 / factor;
+}
+
+DepthError error_between(
+    double cells, double from, const DepthError& coarse, double to, const DepthError& fine
+) {
+  const double part = std::log(cells / from) / std::log(to / from);
+  const auto between = [&](double a, double b) { return a + part * (b - a); };
+  return {
+      between(coarse.value, fine.value),
+      between(coarse.low, fine.low),
+      between(coarse.high, fine.high)};
+}
+
 CellRange measured_cells(const DepthTables& tables) {
   return {tables.steady.front().cells_per_radius, tables.steady.back().cells_per_radius};
 }
@@ -113,14 +128,13 @@ DepthError measured_depth_error(
     ++upper;
   const DepthError coarse = row_error(tables, upper - 1, depth_over_radius, whose);
   const DepthError fine = row_error(tables, upper, depth_over_radius, whose);
-  const double from = std::log(tables.steady[upper - 1].cells_per_radius);
-  const double to = std::log(tables.steady[upper].cells_per_radius);
-  const double part = (std::log(cells_per_radius) - from) / (to - from);
-  const auto between = [&](double a, double b) { return a + part * (b - a); };
-  return {
-      between(coarse.value, fine.value),
-      between(coarse.low, fine.low),
-      between(coarse.high, fine.high)};
+  return error_between(
+      cells_per_radius,
+      tables.steady[upper - 1].cells_per_radius,
+      coarse,
+      tables.steady[upper].cells_per_radius,
+      fine
+  );
 }
 
 namespace {

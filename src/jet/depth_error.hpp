@@ -11,6 +11,14 @@ namespace barreno {
 /// Whose depth it is that an error is asked for.
 enum class DepthOf { run, estimate };
 
+/// Whether a jet is like a measured one in a ratio of both: by no more than this factor away.
+bool is_within(double ratio, double factor);
+
+/// Between the errors with two sizes of cells, over the logarithm of the cells.
+DepthError error_between(
+    double cells, double from, const DepthError& coarse, double to, const DepthError& fine
+);
+
 /// By interpolation in tables without a problem: between cells over their logarithm, along the path
 /// over depth in radii; deeper than measured it is that of the deepest.
 /// @param cells_per_radius  of the thinnest part of the jet at impact; inside of

@@ -10,19 +10,18 @@
 namespace barreno {
 namespace {
 
-/// The jet of perforation_at_rest.xml and the other shots of verification/results/depth_shots.json.
+/// The jet of perforation_at_rest.xml (verification/results/depth_shots.json).
 constexpr int measured_splits = 4, measured_particles_per_cell = 2;
 constexpr double measured_end = 300e-6;   ///< with the measured radius and tip velocity [time]
 constexpr double measured_length = 0.55;  ///< of the tip's slug, in radii
 constexpr double slowest_slug = 400.0;    ///< [velocity]
 constexpr double least_filled = 0.051;
-/// How far another jet may be from it. Jets slower by a seventh to faster by a tenth, and thinner
-/// by a fifth to wider by a quarter, were run.
-constexpr double farthest_jet = 1.25;
+/// How far another jet may be from it: no other was run.
+constexpr double farthest_jet = 1.1;
 constexpr double round_off = 1e-6;
 
 bool is_like(double ratio) {
-  return ratio < farthest_jet * (1.0 + round_off) && ratio > (1.0 - round_off) / farthest_jet;
+  return is_within(ratio, farthest_jet);
 }
 
 std::string why_jet_unknown(const Scene& scene, const JetEstimate& estimate) {
@@ -60,12 +59,9 @@ DepthError error_with(const DepthTables& tables, double cells, DepthError Divide
   while (upper + 1 < tables.divided.size() && cells > tables.divided[upper].cells_per_radius)
     ++upper;
   const DividedError &coarse = tables.divided[upper - 1], &fine = tables.divided[upper];
-  const double from = std::log(coarse.cells_per_radius), to = std::log(fine.cells_per_radius);
-  const double part = (std::log(cells) - from) / (to - from);
-  const auto between = [&](double DepthError::*of) {
-    return (1.0 - part) * (coarse.*whose).*of + part * (fine.*whose).*of;
-  };
-  return {between(&DepthError::value), between(&DepthError::low), between(&DepthError::high)};
+  return error_between(
+      cells, coarse.cells_per_radius, coarse.*whose, fine.cells_per_radius, fine.*whose
+  );
 }
 
 DepthDoubt doubt_of(

@@ -7,10 +7,14 @@ from tools.case_list import DOCS
 from tools.runs import DECKS, scratch_folder
 
 PICTURE = DOCS / "pictures" / "hole_of_cells.png"
-WIDEST = 2.364  # radius of the widest slug of the deck [mm]
 STEP = 5.0  # of the profile of the hole [mm]
 TABLE = DECKS / "jets" / "tungsten_320.csv"
 TIMES = (20, 60, 90, 120, 150, 200, 240, 280, 300)  # us, of a jet as fast as that of the deck
+
+
+def widest_slug():
+    """Its radius in the deck's jet [m]."""
+    return float(max(read_csv(TABLE)["radius"]))
 
 
 def scaled_table(velocity=1.0, radius=1.0):
@@ -51,4 +55,4 @@ def settings_of(shot):
     found = {"Time/End Time": f"{scale * TIMES[-1]:.6g} us", **entries}
     if factors:
         found["Jet/Table"] = scaled_table(**factors)
-    return found, 1e-3 * WIDEST * factors.get("radius", 1.0), scale
+    return found, widest_slug() * factors.get("radius", 1.0), scale

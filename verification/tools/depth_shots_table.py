@@ -13,7 +13,7 @@ REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 SCATTER = 0.03
 WHAT = ("depth", "probed depth")
 FINER = "bounded/3.2/2+4"  # of depth_at_rest.json, whose times it has up to 280 us
-FINER_TIMES = (20, 60, 90, 120, 150, 200, 240, 280)
+FINER_TIMES = TIMES[:-1]
 
 
 def shots():

@@ -573,6 +573,26 @@ TEST(DividedError, OfTheDepthEndsWithTheMeasurementsAndThatOfTheWideHoleDoesNot)
   EXPECT_TRUE(says(probed_depth_doubt(scene, 560e-6, found).unknown, "out of the rear"));
 }
 
+/// The measured jet itself is known; jets a fifth away, or with gaps three times as long, are not.
+TEST(DividedError, IsThatOfTheJetOfTheDeck) {
+  Scene scene = divided_scene();
+  scene.jet.slugs.clear();
+  for (const auto& row : rows_of("input_xml/jets/tungsten_320.csv"))
+    scene.jet.slugs.push_back(
+        {std::stod(row[0]), std::stod(row[1]), std::stod(row[2]), std::stod(row[3]), jet_density}
+    );
+  const auto unknown = [&](const auto& change) {
+    Scene other = scene;
+    for (JetSlug& one : other.jet.slugs) change(one);
+    return depth_doubt(other, 240e-6, 0.4).unknown;
+  };
+  EXPECT_EQ(unknown([](JetSlug&) {}), "");
+  EXPECT_TRUE(says(unknown([](JetSlug& s) { s.velocity *= 1.2; }), "a tip of 7830 m/s"));
+  EXPECT_TRUE(says(unknown([](JetSlug& s) { s.radius *= 1.2; }), "a radius of 1 mm"));
+  EXPECT_TRUE(says(unknown([](JetSlug& s) { s.length *= 0.8; }), "0.55 times as long"));
+  EXPECT_TRUE(says(unknown([](JetSlug& s) { s.time *= 3.0; }), "of their flight only"));
+}
+
 TEST(DividedError, IsUnknownOfOtherJets) {
   const auto unknown = [](const auto& change) {
     Scene scene = divided_scene();

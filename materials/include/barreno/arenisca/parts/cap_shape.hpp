@@ -32,4 +32,12 @@ struct CapOf {
 };
 using Cap = CapOf<double>;
 
+/// 0 on the limit surface and at the branch point, 1 at the end of the cap and beyond.
+template <class R>
+BARRENO_FUNCTION R place_on_cap(const R& x, const CapOf<R>& cap) {
+  const MaskOf<R> on_cap = cap.present & (x < cap.kappa);
+  const R span = real::select(on_cap, cap.kappa - cap.X, 1.0);
+  return real::select(on_cap, real::smaller(R((cap.kappa - x) / span), 1.0), 0.0);
+}
+
 }  // namespace barreno::arenisca

@@ -8,6 +8,7 @@
 #include "barreno/real.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace barreno::arenisca {
 
@@ -75,14 +76,11 @@ struct Damage {
   }
   static std::string check(const Parameters& p) {
     if (p.fracture_strain > 0.0) return {};
-    const char* name = p.fracture_energy > 0.0   ? "Fracture energy"
-                       : p.residual_slope > 0.0  ? "Residual slope"
-                       : p.damage_pressure > 0.0 ? "Damage pressure"
-                                                 : nullptr;
-    if (name == nullptr) return {};
-    const double value = p.fracture_energy > 0.0  ? p.fracture_energy
-                         : p.residual_slope > 0.0 ? p.residual_slope
-                                                  : p.damage_pressure;
+    const auto [name, value] =
+        p.fracture_energy > 0.0  ? std::pair{"Fracture energy", p.fracture_energy}
+        : p.residual_slope > 0.0 ? std::pair{"Residual slope", p.residual_slope}
+                                 : std::pair{"Damage pressure", p.damage_pressure};
+    if (value == 0.0) return {};
     return named(name, value) +
            " needs a Fracture strain, but that is 0 (rock without damage); set the plastic strain "
            "at which rock under tension is broken, 0.01 for example, or leave " +
@@ -148,10 +146,7 @@ struct Damage {
   template <class R>
   BARRENO_FUNCTION R share(const R& x, const CapOf<R>& cap) const {
     const R pressed = real::exp(R((per_pressure / 3.0) * real::smaller(x, 0.0)));
-    const MaskOf<R> on_cap = cap.present & (x < cap.kappa);
-    const R span = real::select(on_cap, cap.kappa - cap.X, 1.0);
-    const R along = real::select(on_cap, real::smaller(R((cap.kappa - x) / span), 1.0), 0.0);
-    return pressed * (1.0 - along);
+    return pressed * (1.0 - place_on_cap(x, cap));
   }
 };
 

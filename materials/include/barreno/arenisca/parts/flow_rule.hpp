@@ -63,42 +63,30 @@ struct FlowRule {
 
   double beta, per_strain, per_pressure;
 
-  /// What is left of BETA^2 at I1 = x and volumetric plastic strain evp.
+  /// What is left of BETA^2 at I1 = x and volumetric plastic strain evp: it ends with the damage.
+  /// @param intact  1 - D
   template <class R>
-  BARRENO_FUNCTION R share(const R& x, const R& evp, const CapOf<R>& cap) const {
-    return share_of(R(1.0 - per_strain * real::larger(evp, 0.0)), x, cap);
-  }
-  /// @param dilating  what the strain leaves of it
-  template <class R>
-  BARRENO_FUNCTION R share_of(const R& dilating, const R& x, const CapOf<R>& cap) const {
-    const R room = real::larger(dilating, least);
+  BARRENO_FUNCTION R
+  share(const R& x, const R& evp, const CapOf<R>& cap, const R& intact = R{} + 1.0) const {
+    const R room = real::larger(R(intact * (1.0 - per_strain * real::larger(evp, 0.0))), least);
     const R pressed = real::exp(R((per_pressure / 3.0) * real::smaller(x, 0.0)));
     const R left = real::larger(R(room * pressed), least_of_all);
-    const MaskOf<R> on_cap = cap.present & (x < cap.kappa);
-    const R span = real::select(on_cap, cap.kappa - cap.X, 1.0);
-    const R along = real::select(on_cap, real::smaller(R((cap.kappa - x) / span), 1.0), 0.0);
-    return left + (1.0 - left) * along;
+    return left + (1.0 - left) * place_on_cap(x, cap);
   }
 
   /// The weight of (q_tr - q)^2 beside (x_tr - x)^2: 9 beta^2 K/G.
   /// @param x, evp  I1 and volumetric plastic strain at the start of the substep, and the cap there
   template <class R>
-  BARRENO_FUNCTION R
-  metric(const ModuliOf<R>& m, const R& x, const R& evp, const CapOf<R>& cap) const {
-    const R whole = (9.0 * beta * beta) * m.bulk / m.shear;
-    if (per_strain == 0.0 && per_pressure == 0.0) return whole;
-    return whole * share(x, evp, cap);
-  }
-  /// The same of rock that is damaged: where dilatancy is bounded, it ends with the damage.
-  /// @param intact  1 - D
-  template <class R>
   BARRENO_FUNCTION R metric(
-      const ModuliOf<R>& m, const R& x, const R& evp, const CapOf<R>& cap, const R& intact
+      const ModuliOf<R>& m,
+      const R& x,
+      const R& evp,
+      const CapOf<R>& cap,
+      const R& intact = R{} + 1.0
   ) const {
     const R whole = (9.0 * beta * beta) * m.bulk / m.shear;
     if (per_strain == 0.0 && per_pressure == 0.0) return whole;
-    const R dilating = intact * (1.0 - per_strain * real::larger(evp, 0.0));
-    return whole * share_of(dilating, x, cap);
+    return whole * share(x, evp, cap, intact);
   }
 };
 
