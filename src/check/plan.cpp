@@ -89,12 +89,13 @@ std::string body_lines(const Scene& scene) {
   return text;
 }
 
-/// Which materials set the step.
+/// Which materials set the step; empty with particles of one only.
 std::string step_line(const Scene& scene) {
-  if (scene.materials.size() < 2) return {};
   const std::vector<double> steps = stable_steps_of_materials(scene, true);
-  std::vector<std::size_t> order(steps.size());
-  for (std::size_t m = 0; m < order.size(); ++m) order[m] = m;
+  std::vector<std::size_t> order;
+  for (std::size_t m = 0; m < steps.size(); ++m)
+    if (std::isfinite(steps[m])) order.push_back(m);
+  if (order.size() < 2) return {};
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return steps[a] < steps[b];
   });

@@ -94,12 +94,22 @@ double written_nanoseconds(
   return particles * (tables.field_nanoseconds * fields + tables.row_nanoseconds * rows);
 }
 
+bool has_particles(const Scene& scene, int material) {
+  const auto is_of = [&](const BodySpec& body) { return body.material == material; };
+  return (scene.jet.present && scene.jet.material == material) ||
+         std::any_of(scene.bodies.begin(), scene.bodies.end(), is_of);
+}
+
 }  // namespace
 
 std::vector<double> stable_steps_of_materials(const Scene& scene, bool viscous) {
   std::vector<double> steps;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const int index = static_cast<int>(m);
+    if (!has_particles(scene, index)) {
+      steps.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
     const Material& material = scene.materials[m].material();
     const double courant = visit_shape(scene.step.shape, [&](auto shape) {
       return decltype(shape)::critical_courant(smallest_half_size(scene, index));

@@ -15,7 +15,7 @@ namespace barreno {
 /// [time].
 /// @param viscous  with the artificial viscosity that compression brings
 double stable_step_of_scene(const Scene& scene, bool viscous);
-/// The same of each material in the smallest cells.
+/// The same of each material in the smallest cells; infinity without particles of it.
 std::vector<double> stable_steps_of_materials(const Scene& scene, bool viscous);
 
 /// What a run will cost on a number of ranks: particle-steps by the stable step and by the launch

@@ -140,6 +140,14 @@ TEST(PredictCost, FindsAStepInWhichAWaveCrossesLessThanACell) {
   EXPECT_LT(stable_step_of_scene(scene, true), step);
 }
 
+TEST(PredictCost, HasNoStepOfAMaterialWithoutParticles) {
+  Scene scene = block();
+  const double step = stable_step_of_scene(scene, true);
+  scene.materials.push_back(testing::elastic(young, poisson, 1e-300));
+  EXPECT_EQ(stable_step_of_scene(scene, true), step);
+  EXPECT_FALSE(says(plan_text(scene, probe_of_block(), 1, {}), "could take"));
+}
+
 TEST(PredictCost, KnowsWhatGrowsOverARun) {
   Scene scene = block();
   EXPECT_EQ(growth_of(scene, "move_particles"), 1.0);

@@ -573,7 +573,7 @@ TEST(DividedError, OfTheDepthEndsWithTheMeasurementsAndThatOfTheWideHoleDoesNot)
   EXPECT_TRUE(says(probed_depth_doubt(scene, 560e-6, found).unknown, "out of the rear"));
 }
 
-/// The measured jet itself is known; jets a fifth away, or with gaps three times as long, are not.
+/// The measured jet itself is known; jets a fifth away, or with gaps ten times as long, are not.
 TEST(DividedError, IsThatOfTheJetOfTheDeck) {
   Scene scene = divided_scene();
   scene.jet.slugs.clear();
@@ -590,7 +590,7 @@ TEST(DividedError, IsThatOfTheJetOfTheDeck) {
   EXPECT_TRUE(says(unknown([](JetSlug& s) { s.velocity *= 1.2; }), "a tip of 7830 m/s"));
   EXPECT_TRUE(says(unknown([](JetSlug& s) { s.radius *= 1.2; }), "a radius of 1 mm"));
   EXPECT_TRUE(says(unknown([](JetSlug& s) { s.length *= 0.8; }), "0.55 times as long"));
-  EXPECT_TRUE(says(unknown([](JetSlug& s) { s.time *= 3.0; }), "of their flight only"));
+  EXPECT_TRUE(says(unknown([](JetSlug& s) { s.time *= 10.0; }), "of their flight only"));
 }
 
 TEST(DividedError, IsUnknownOfOtherJets) {
