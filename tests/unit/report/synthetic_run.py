@@ -12,7 +12,7 @@ SQUARE = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
 
 DECK = """<ParameterList name="Barreno">
   <ParameterList name="Grid"><Parameter name="Mode" value="{mode}"/><Parameter name="Cell Size" value="0.001"/>
-    <Parameter name="Lower" value="{{{lower}, -0.01}}"/><Parameter name="Upper" value="{{0.03, 0.06}}"/></ParameterList>
+    <Parameter name="Lower" value="{{{lower}, {ends[0]}}}"/><Parameter name="Upper" value="{{0.03, {ends[1]}}}"/></ParameterList>
   <ParameterList name="Materials">
     <ParameterList name="Tungsten"><Parameter name="Model" value="Johnson-Cook"/></ParameterList>
     <ParameterList name="Sandstone"><Parameter name="Model" value="Arenisca"/><Parameter name="PEAKI1" value="9.36e6"/>
@@ -22,7 +22,7 @@ DECK = """<ParameterList name="Barreno">
   </ParameterList>
   <ParameterList name="Bodies"><ParameterList name="Rock"><Parameter name="Material" value="Sandstone"/>
     <Parameter name="Particles Per Cell" value="2"/></ParameterList></ParameterList>
-  <ParameterList name="Jet"><Parameter name="Material" value="Tungsten"/><Parameter name="Direction" value="+y"/>
+  <ParameterList name="Jet"><Parameter name="Material" value="Tungsten"/><Parameter name="Direction" value="{direction}"/>
     <Parameter name="Slugs" value="2x5:{{0, 8000, 0.001, 0.002, 17600, 1e-6, 6000, 0.001, 0.002, 17600}}"/></ParameterList>
 </ParameterList>
 """
@@ -126,11 +126,12 @@ HISTORY = (
 )
 
 
-def write_run(folder, blocks, depth=0.02, mode="axisymmetric", lower="0"):
+def write_run(folder, blocks, depth=0.02, mode="axisymmetric", lower="0", direction="+y"):
     """A whole run folder. Its hole is half a cell wider in depth.csv, which counts whole cells."""
+    ends = (-0.01, 0.06) if direction == "+y" else (-0.06, 0.01)
     folder.mkdir(parents=True, exist_ok=True)
     write_particles(folder / "particles.e", blocks)
-    (folder / "deck.xml").write_text(DECK.format(mode=mode, lower=lower))
+    (folder / "deck.xml").write_text(DECK.format(mode=mode, lower=lower, ends=ends, direction=direction))
     (folder / "history.csv").write_text(f"{HISTORY}\n0,0,9,0,1,0,0,0,0,0,0,0,0,0,0,0,0\n1e-5,10,9,60,10,20,0,0,100,-4,-6,0,1e-5,0,0,0,0\n")
     rows = "\n".join(f"{1e-6 * i},{depth * i / 10},{round(depth * i / 10, 3)},0.003,0.001,3000" for i in range(11))
     (folder / "depth.csv").write_text("# depths from the outer face at y = 0 "

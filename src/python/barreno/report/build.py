@@ -5,7 +5,7 @@ import dataclasses
 import functools
 import sys
 
-from barreno.report.explore import explorable
+from barreno.report.explore import Shown, explorable
 from barreno.report.fields import PLASTIC_STRAIN, check_field, known_fields
 from barreno.report.files import make_folder, reading, written, write_text
 from barreno.report.hole import holes_of
@@ -61,13 +61,13 @@ def save(picture, folder):
         picture.figure.savefig(aside, dpi=130, bbox_inches="tight")
 
 
-def write_pages(run, fields, hole_of, title, sections, pdf):
+def write_pages(run, fields, shown, title, sections, pdf):
     folder = run.folder / "report"
     for section in sections:
         for picture in section.pictures:
             save(picture, folder)
     write_text(folder / "index.md", as_markdown(title, sections))
-    write_text(folder / "index.html", explorable(functools.partial(as_html, title, sections, folder), run, fields, hole_of))
+    write_text(folder / "index.html", explorable(functools.partial(as_html, title, sections, folder), run, fields, shown))
     if pdf:
         with written(folder / "report.pdf") as aside:
             write_pdf(aside, title, sections)
@@ -87,7 +87,7 @@ def make_report(folder, wishes=None):
             with reading(run.folder / "summary.json"):
                 title = on_one_line(run.summary.get("title") or run.folder.resolve().name)
             hole_of = holes_of(run, run.depth_table())
-            write_pages(run, fields, hole_of, title, sections, wishes.pdf)
+            write_pages(run, fields, Shown(hole_of, wishes.measured), title, sections, wishes.pdf)
         finally:
             plt.close("all")
         make_folder(target / "paraview")

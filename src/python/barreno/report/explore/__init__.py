@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The explorable view at the top of a report's page: particles of all outputs, which scripts of the page draw (page/*.js)."""
 
+import dataclasses
 import json
 import pathlib
 import re
@@ -18,6 +19,7 @@ from barreno.report.hole import cell_along_path, face_of
 from barreno.report.pieces import pieces_of
 from barreno.report.tones import RUBBLE, tones_of
 from barreno.report.view import MILLI, View, hole_view, is_long
+from barreno.report.wall import MEASURED
 from barreno.runs.regular_file import read_text
 
 HERE = pathlib.Path(__file__).parent.parent
@@ -89,18 +91,29 @@ def rubble_of(run, stack, hole_of):
     return stack.table(rubble, 0, np.uint8)
 
 
-def scene_of(run, fields, table, hole_of, steps, levels):
+def measured_of(run, hole_of, measured):
+    """Name and wall of a measured hole, (radius, y) in m down to its bottom; None without one."""
+    if measured is None:
+        return None
+    depth = [*measured.depth, measured.end, measured.end]
+    radius = [*measured.radius, measured.radius[-1], 0.0]
+    face = hole_of(len(run.file.times) - 1).face
+    wall = [[float(r), float(face + run.deck.direction * down)] for r, down in zip(radius, depth)]
+    return {"name": f"measured ({measured.name})", "colour": MEASURED, "wall": wall}
+
+
+def scene_of(run, fields, table, shown, steps, levels):
     """All that the script needs, as JSON can hold it.
 
-    @param hole_of  as view_of() has it"""
+    @param shown  as view_of() has it"""
     file, deck = run.file, run.deck
     stack = Stack(file, steps)
     places, shapes, sizes, largest, areas = stack.places()
     tones = tones_of(deck, file.block_names)
     colours = [tones[name] for name in file.block_names]
     names = chosen_fields(known_fields(file, deck), fields)
-    lying, hole = how_it_lies(run, hole_of)
-    loose = rubble_of(run, stack, hole_of)
+    lying, hole = how_it_lies(run, shown.hole_of)
+    loose = rubble_of(run, stack, shown.hole_of)
     return {
         "times": [float(time) for time in stack.times], "outputs": len(file.times), "steps": [int(step) for step in steps],
         "mirrored": bool(deck.mirrored()), "down": bool(deck.has_jet and deck.direction > 0.0),
@@ -109,6 +122,7 @@ def scene_of(run, fields, table, hole_of, steps, levels):
         "low": [float(value) for value in stack.low], "quantum": stack.quantum, "largest": largest / PLACES, "shapeUnit": 1.0 / SHAPE,
         "tips": tips_of(run, table, stack), "around": cell_along_path(file, deck), "grid": grid_of(run),
         "numbers": packed(file.numbers[stack.elements].astype(np.uint32)), "there": packed(stack.there()),
+        "measured": measured_of(run, shown.hole_of, shown.measured),
         "rubble": packed(loose), "loose": bool(loose.any()), "rubbleColour": RUBBLE,
         "places": packed(places), "shapes": packed(shapes), "sizes": packed(sizes),
         "fields": [*(field_of(stack, deck, name, areas, levels) for name in names), material_field(stack, colours),
@@ -128,10 +142,10 @@ def shown_at_once(file):
     return file.elements if file.dimensions == 2 else len(drawn(file.frame(-1))[2])
 
 
-def fitted(run, fields, table, hole_of, room):
+def fitted(run, fields, table, shown, room):
     """The scene as text of at most so many bytes, and its number of outputs: finer codes and all outputs where they fit."""
     count, curves = len(run.file.times), curves_of(run, table)
-    text_of = lambda steps, levels: as_json({**scene_of(run, fields, table, hole_of, steps, levels), **curves})  # noqa: E731
+    text_of = lambda steps, levels: as_json({**scene_of(run, fields, table, shown, steps, levels), **curves})  # noqa: E731
     most, levels = min(count, max(2, MOST_ENTRIES // max(shown_at_once(run.file), 1))), list(LEVELS)
     if count > TRIED:
         each = len(text_of(steps_between(count, TRIED), levels[-1])) / TRIED
@@ -172,25 +186,34 @@ def library(name):
     return f"/*! {name}\n{licence}\n*/\n{BANNER.sub('', file_text(f'third_party/{name}'), 1)}"
 
 
-def view_of(run, fields, hole_of, room):
+@dataclasses.dataclass
+class Shown:
+    """Holes that the view shows."""
+
+    hole_of: object  # the hole at an output, as hole.holes_of() has it
+    measured: object = None  # report.measured.Measured: drawn over it
+
+
+def view_of(run, fields, shown, room):
     """What a page has of the view, in at most so many bytes: {"outputs": sentence, "data": JSON, "scripts": texts}.
 
-    @param hole_of  the hole at an output, as hole.holes_of() has it
+    @param shown  Shown
     @raises TooLarge"""
     scripts = [library("uPlot.iife.min.js"), view_script()]
     styles = [file_text(name) for name in ("third_party/uPlot.min.css", "page/view.css", "page/view.html")]
     room -= sum(len(text.encode()) for text in (*styles, *scripts)) + 1000
     with run.particles_read():
-        scene, shown = fitted(run, fields, run.depth_table(), hole_of, room)
+        scene, outputs = fitted(run, fields, run.depth_table(), shown, room)
     # Neither JSON, where markup is escaped, nor a script of ours has text that ends its element.
-    return {"outputs": about_outputs(shown, len(run.file.times)), "data": Markup(scene), "scripts": [Markup(text) for text in scripts]}
+    return {"outputs": about_outputs(outputs, len(run.file.times)), "data": Markup(scene), "scripts": [Markup(text) for text in scripts]}
 
 
-def explorable(page_of, run, fields, hole_of):
+def explorable(page_of, run, fields, shown):
     """A page with the view; where the run is too large for one, with a sentence that says so.
 
-    @param page_of  (view, sentence) to the text of a page"""
+    @param page_of  (view, sentence) to the text of a page
+    @param shown  as view_of() has it"""
     try:
-        return page_of(view_of(run, fields, hole_of, MOST_BYTES - len(page_of().encode())), "")
+        return page_of(view_of(run, fields, shown, MOST_BYTES - len(page_of().encode())), "")
     except TooLarge:
         return page_of(None, f"This page has no view to explore: the run's {run.file.elements} particles do not fit into a page of 15 MB.")

@@ -25,6 +25,7 @@ function addSwitches() {
   if (scene.loose) addSwitch("rubble", true, scene.rubbleColour, on => {
     if (on) hidden.delete(rubble); else hidden.add(rubble);
   });
+  if (scene.measured) addSwitch(scene.measured.name, true, scene.measured.colour, on => { option.measured = on; });
   at("switches").append(shown("outlines of"));
   addSwitch("materials", option.outlines, null, on => { option.outlines = on; });
   addSwitch("particles", option.edges, null, on => { option.edges = on; });

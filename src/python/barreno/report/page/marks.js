@@ -16,6 +16,7 @@ function drawMarks() {
     pen.clip();
     if (option.cells) drawCells(pen, panel);
     if (scene.mirrored) drawAxis(pen);
+    if (scene.measured && option.measured) drawMeasured(pen, panel);
     if (view.hit >= 0) drawHit(pen, panel);
     drawTicks(pen, panel);
     pen.restore();
@@ -41,6 +42,15 @@ function drawAxis(pen) {
   pen.setLineDash([10, 5, 2, 5]);
   const {wide, high} = size(), [x, y] = screenOf(axisAt, 0);
   line(pen, lying ? [[0, y], [wide, y]] : [[x, 0], [x, high]], "rgba(0,0,0,.55)", 1);
+  pen.setLineDash([]);
+}
+
+// A measured hole as dashes on both sides of its axis.
+function drawMeasured(pen, panel) {
+  const {wall, colour} = scene.measured;
+  pen.setLineDash([6, 3]);
+  for (const side of [-1, 1])
+    line(pen, wall.map(([r, y]) => screenOf(toQuantum(side * r, 0), toQuantum(y, 1), panel)), colour, 1.6);
   pen.setLineDash([]);
 }
 

@@ -14,7 +14,7 @@ const rows = {};  // codes of the fields that were read, by name
 // colours that are not the field's own, mouse, particle under it, materials left out.
 const view = {x: 0, y: 0, scale: 1, rest: {scale: 1, stretch: 1}, follow: false, step: 0, left: null, right: null, mouse: null, hit: -1,
   limits: {left: undefined, right: undefined}};
-const hidden = new Set(), option = {outlines: true, edges: false, cells: false, fitted: false, plain: true};
+const hidden = new Set(), option = {outlines: true, edges: false, cells: false, fitted: false, plain: true, measured: true};
 const palettes = {};  // pixels of the codes of colours, by side
 const now = {there: null, kind: null, place: null, shape: null, left: null, right: null, state: null};  // rows of the output
 const picture = {ids: new Int32Array(0), wide: 0, high: 0, dense: 1, change: 0};  // the particle of every pixel
