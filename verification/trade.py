@@ -42,6 +42,9 @@ FINEST = 0.5  # mm
 DEPTH_TIME = 20  # us
 
 
+BREAKING_WORDS = {"cells": "Jet/Cells Per Radius", "splits": "Jet/Splits"}  # of a jet whose metal breaks
+
+
 def choices_in(barreno, deck, name):
     """{path: value} of what a fidelity chooses for a deck, as `check` prints it."""
     command = [str(barreno), "check", str(DECKS / deck), "--fidelity", name]
@@ -64,6 +67,12 @@ def jet_words(barreno, name):
     """What it chooses differently, or only, for a deck with a jet that leaves its cells open."""
     said = choices_in(barreno, "perforation.xml", name)
     return {word: said.get(path, "as the deck's") for word, path in JET_WORDS.items()}
+
+
+def breaking_words(barreno, name):
+    """The same of a jet whose metal breaks."""
+    said = choices_in(barreno, "perforation_at_rest.xml", name)
+    return {word: said[path] for word, path in BREAKING_WORDS.items()}
 
 
 def said_errors(barreno):
@@ -201,7 +210,8 @@ def judge_depths(points):
 def judged(points, tiny, barreno):
     """All that is stored."""
     chosen = {name: fidelity_words(barreno, name) for name in FIDELITIES}
-    data = {"points": points, "chosen": chosen, "with_jet": {name: jet_words(barreno, name) for name in FIDELITIES}}
+    data = {"points": points, "chosen": chosen, "with_jet": {name: jet_words(barreno, name) for name in FIDELITIES},
+        "breaking": {name: breaking_words(barreno, name) for name in FIDELITIES}}
     if not tiny:
         data["depth"] = judge_depths(points)
     data["checks"] = demands(points, tiny, said_errors(barreno))

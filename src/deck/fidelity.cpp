@@ -38,6 +38,9 @@ struct Choices {
   double jet_courant_fraction = 0.8;  ///< of decks with a jet: that of Subcycles
   double jet_cells_per_radius = 0.0;  ///< along the jet's path
   double given_cells = 0.0;  ///< the same where the deck gives Grid/Cell Size; 0: its cells
+  /// The same of metal that breaks, whose late slugs pile up (docs/trade.md, Depth at rest), ...
+  double breaking_cells_per_radius = 0.0;
+  int breaking_splits = 4;  ///< ... and how often its particles are divided
   int path_per_cell = 1;     ///< of bodies, per direction, where it refines the path
   int jet_subcycles = 4;     ///< of decks with a jet
   /// Of decks with a jet. A particle of debris that runs into single others is strained so much in
@@ -54,6 +57,7 @@ constexpr Choices fast() {
   choices.rows = 100.0;
   choices.errors = "6 %, 3 %";
   choices.jet_cells_per_radius = 1.8;
+  choices.breaking_cells_per_radius = 1.2;
   return choices;
 }
 
@@ -65,6 +69,7 @@ constexpr Choices balanced() {
   choices.errors = "11 %, 3 %";
   choices.jet_cells_per_radius = 2.4;
   choices.given_cells = 2.0;
+  choices.breaking_cells_per_radius = 1.8;
   return choices;
 }
 
@@ -77,6 +82,7 @@ constexpr Choices reference() {
   choices.rows = 2000.0;
   choices.errors = "11 %, 0.6 %";
   choices.jet_cells_per_radius = 4.0;
+  choices.breaking_cells_per_radius = 2.4;
   choices.given_cells = 4.0;
   choices.path_per_cell = 2;
   return choices;
@@ -139,10 +145,14 @@ std::string choice_text(double value) {
   return text;
 }
 
-/// Cells per radius of a deck that gives Grid/Cell Size, where they are others.
-std::string given_cells_text(const Choices& choices) {
-  if (choices.given_cells == 0.0 || choices.given_cells == choices.jet_cells_per_radius) return "";
-  return " (" + choice_text(choices.given_cells) + " where Grid/Cell Size is given)";
+/// Cells per radius of other decks, where they are others.
+std::string other_cells_text(const Choices& choices) {
+  const bool given =
+      choices.given_cells > 0.0 && choices.given_cells != choices.jet_cells_per_radius;
+  return " (" +
+         (given ? choice_text(choices.given_cells) + " where Grid/Cell Size is given, " : "") +
+         choice_text(choices.breaking_cells_per_radius) + " with " + name_of(&JetSpec::splits) +
+         " " + choice_text(choices.breaking_splits) + " where the jet's metal breaks)";
 }
 
 /// Whether two texts say the same of an entry: "0.80" and "0.8", "5 us" and "5e-06 s".
@@ -179,7 +189,7 @@ std::string fidelity_text() {
             std::to_string(c.jet_per_cell) + " in the jet, Tolerance " + choice_text(c.tolerance) +
             "; with a jet " + c.jet_shape + ", " + name_of(&StepSpec::courant_fraction) + " " +
             choice_text(c.jet_courant_fraction) + ", " + name_of(&JetSpec::cells_per_radius) + " " +
-            choice_text(c.jet_cells_per_radius) + given_cells_text(c) + " and " +
+            choice_text(c.jet_cells_per_radius) + other_cells_text(c) + " and " +
             std::to_string(c.path_per_cell) + " per cell and direction in bodies" +
             (c.given_cells > 0.0 ? ", " : " where Grid/Cell Size is left open, ") +
             name_of(&StepSpec::subcycles) + " " + std::to_string(c.jet_subcycles) + ", " +
@@ -233,7 +243,17 @@ void Fidelity::choose_for_step(const XMLObject& list, const std::string& path, b
   choose(list, path, &StepSpec::largest_strain, choices.jet_largest_strain);
 }
 
-void Fidelity::choose_for_deck(const XMLObject& root) {
+void Fidelity::choose_for_jet(const XMLObject& list, bool given_size, bool breaks) {
+  const Choices& choices = *choices_of(name_);
+  const std::string path = table_of<JetSpec>().path;
+  choose(list, path, &JetSpec::particles_per_cell, choices.jet_per_cell);
+  double cells = given_size ? choices.given_cells : choices.jet_cells_per_radius;
+  if (breaks) choose(list, path, &JetSpec::splits, choices.breaking_splits);
+  if (breaks && cells > 0.0) cells = choices.breaking_cells_per_radius;
+  if (cells > 0.0) choose(list, path, &JetSpec::cells_per_radius, cells);
+}
+
+void Fidelity::choose_for_deck(const XMLObject& root, bool jet_breaks) {
   const Choices* const choices = choices_of(name_);
   if (choices == nullptr) return;
   const auto add_list = [&](const std::string& name) {
@@ -245,15 +265,9 @@ void Fidelity::choose_for_deck(const XMLObject& root) {
     return *input::find_list(root, name);
   };
   const std::string step = table_of<StepSpec>().path, output = table_of<OutputSpec>().path;
-  const std::string jet = table_of<JetSpec>().path;
-  const auto jet_list = input::find_list(root, jet);
+  const auto jet_list = input::find_list(root, table_of<JetSpec>().path);
   choose_for_step(add_list(step), step, jet_list.has_value());
-  if (jet_list) {
-    choose(*jet_list, jet, &JetSpec::particles_per_cell, choices->jet_per_cell);
-    const double cells =
-        gives_cell_size(root) ? choices->given_cells : choices->jet_cells_per_radius;
-    if (cells > 0.0) choose(*jet_list, jet, &JetSpec::cells_per_radius, cells);
-  }
+  if (jet_list) choose_for_jet(*jet_list, gives_cell_size(root), jet_breaks);
   const bool refines = chosen_paths_.count(path_of(&JetSpec::cells_per_radius)) > 0;
   if (const auto bodies = input::find_list(root, table_of<BodySpec>().path))
     for (int i = 0; i < bodies->numChildren(); ++i) {

@@ -32,7 +32,8 @@ public:
 
   /// Everything but the materials. Bodies, jet and step are chosen for where the deck has no word
   /// of its own; the intervals of the output are parts of the run's time.
-  void choose_for_deck(const Teuchos::XMLObject& root);
+  /// @param jet_breaks  whether the jet's metal breaks
+  void choose_for_deck(const Teuchos::XMLObject& root, bool jet_breaks);
 
   /// The tolerance of a material whose model has one.
   /// @param tolerance  the model's entry
@@ -54,6 +55,7 @@ public:
 
 private:
   void choose_for_step(const Teuchos::XMLObject& list, const std::string& path, bool jet);
+  void choose_for_jet(const Teuchos::XMLObject& list, bool given_size, bool breaks);
   void choose(
       const Teuchos::XMLObject& list,
       const std::string& path,

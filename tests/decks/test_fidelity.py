@@ -36,6 +36,17 @@ def check_every_deck(folder):
     server.end()
 
 
+def check_metal_that_breaks():
+    """A jet of metal that breaks gets fewer cells, and particles that are divided; a deck that takes its strength away does not."""
+    deck, sound = DECKS / "perforation_at_rest.xml", ("Spall Stress=0", "Thermal Spall=off", *(f"D{i}=0" for i in range(1, 6)))
+    for name, cells, others in (("fast", "1.2", "1.8"), ("balanced", "1.8", "2.4"), ("reference", "2.4", "4")):
+        plan = barreno("check", deck, "--fidelity", name)
+        assert f"Jet/Splits = 4, Jet/Cells Per Radius = {cells}" in plan, plan
+        settings = [word for entry in sound for word in ("--set", f"Materials/Tungsten/{entry}")]
+        plan = barreno("check", deck, "--fidelity", name, *settings)
+        assert "Jet/Splits" not in plan and f"Jet/Cells Per Radius = {others}" in plan, plan
+
+
 def run_again(folder):
     """perforation_quick.xml has output intervals of its own; --set comes before a fidelity like the deck."""
     words = ("--fidelity", "fast", "--set", "Step/Courant Fraction=0.7", "--set", "Time/End Time=3 us")
@@ -56,6 +67,7 @@ def run_again(folder):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         check_every_deck(folder)
+        check_metal_that_breaks()
         run_again(pathlib.Path(folder))
 
 

@@ -61,6 +61,11 @@ def fidelity_section(data):
               "| fidelity | " + " | ".join(data["with_jet"]["balanced"]) + " |",
               "|---|" + "---|" * len(data["with_jet"]["balanced"])]  # fmt: skip
     lines += [f"| {name} | " + " | ".join(data["with_jet"][name].values()) + " |" for name in FIDELITIES]
+    breaking = data["breaking"]
+    cells = ", ".join(f"{breaking[name]['cells']} ({name})" for name in FIDELITIES)
+    (splits,) = {breaking[name]["splits"] for name in FIDELITIES}
+    lines += ["", f"Late slugs of metal that breaks pile up at the bottom. For such a jet there are {cells} cells per radius, and a particle "
+        f"is divided up to {splits} times ([Depth at rest](#depth-at-rest))."]
     lines += ["", "Error (and cost relative to balanced) at equal cells, one step for all:", "",
               "| fidelity | " + " | ".join(f"{p.title}: {p.error}, {unit_text(p, p.levels[-1])}" for p in PROBLEMS) + " |",
               "|---|" + "---|" * len(PROBLEMS)]  # fmt: skip
