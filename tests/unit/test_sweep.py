@@ -52,6 +52,16 @@ def check_values():
     assert read("grid", "A/B=1 mm,1 cm")[0].common_unit() is None and read("grid", "A/B=x,1 cm")[0].common_unit() is None
 
 
+def check_narrow_hole():
+    """How far a hole is as wide as the jet is a column where that ends above the bottom."""
+    def heads(probed):
+        scalars = {"penetration.depth": 0.55, write.CHANNEL: 0.55, write.PROBED: probed}
+        (words, *_) = write.screen_table([], [results.Row("a", pathlib.Path("a"), [], results.FINISHED, scalars)])
+        return words
+
+    assert "as wide as the jet [mm]" in heads(0.48) and "as wide as the jet" not in heads(0.549)
+
+
 BAD_VALUES = [  # sample, words, sentence
     ("grid", [], "sweep needs what to vary"),
     ("grid", ["Confinement/Pressure"], "names no parameter and its values"),
@@ -372,7 +382,8 @@ def check_bad_compare(folder):
         assert found[0] == code and said in found[1] and found[1].count("\n") == 1 and found[1].startswith("barreno: "), f"{runs}: {found}"
 
 
-CHECKS = (check_values, check_bad_values, check_samples, check_latin, check_folders, check_lists, check_words, check_slurm, check_ranks)
+CHECKS = (check_values, check_narrow_hole, check_bad_values, check_samples, check_latin, check_folders, check_lists, check_words, check_slurm,
+    check_ranks)
 IN_FOLDERS = (check_script_lines, check_out, check_taken, check_time_left, check_results, check_columns, check_pictures, check_differences,
     check_compare, check_bad_compare)
 

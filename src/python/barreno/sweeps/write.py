@@ -5,10 +5,13 @@ from barreno.compare.results import FINISHED, Row, draw_into, finished_row, writ
 from barreno.runs.tables import aligned, number
 from barreno.sweeps.plan import short_names, si_values
 
+CHANNEL, PROBED = "penetration.channel_depth", "penetration.probed_depth"
+SAME = 0.01  # of a depth: what a hole that is as wide as the jet down to its bottom may lack
 COLUMNS = {  # number of summary.json: head and factor on the screen
     "penetration.depth": ("depth [mm]", 1e3),
     "penetration.through_since": ("through since [us]", 1e6),
-    "penetration.channel_depth": ("open channel [mm]", 1e3),
+    CHANNEL: ("open channel [mm]", 1e3),
+    PROBED: ("as wide as the jet [mm]", 1e3),
     "balances.energy.error": ("energy error", 1.0),
     "wall_seconds": ("wall time [s]", 1.0),
 }
@@ -47,8 +50,13 @@ def rows_of(points, columns):
     return rows
 
 
+def is_narrow(row):
+    """Whether its hole goes on below where it is as wide as the jet."""
+    return PROBED in row.scalars and row.scalars[PROBED] < (1.0 - SAME) * row.scalars.get(CHANNEL, 0.0)
+
+
 def screen_table(columns, rows):
-    shown = [name for name in COLUMNS if any(name in row.scalars for row in rows)]
+    shown = [name for name in COLUMNS if any(is_narrow(row) if name == PROBED else name in row.scalars for row in rows)]
     lines = [[*(column.head for column in columns), *(COLUMNS[name][0] for name in shown), "run"]]
     for row in rows:
         numbers = [number(row.scalars[name] * COLUMNS[name][1], 4) if name in row.scalars else "-" for name in shown]

@@ -22,8 +22,10 @@ def plot(title, time, curves):
 
 
 def depth_plots(table):
-    time = table["time"]
-    found = [plot("depth [mm]", time, {"depth": table["depth"] / MILLI, "open channel": table["channel_depth"] / MILLI})]
+    time, names = table["time"], {"depth": "depth", "channel_depth": "open channel"}
+    if "probed_depth" in table:
+        names["probed_depth"] = "as wide as the jet"
+    found = [plot("depth [mm]", time, {name: table[column] / MILLI for column, name in names.items()})]
     hit, _, rate, _ = depth_and_rate(table)
     if len(hit):
         found.append(plot("speed [m/s]", time, {"deepest piece of the jet": table["tip_velocity"],
