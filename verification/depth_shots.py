@@ -50,18 +50,18 @@ def draw(shots):
     figure.savefig(PICTURE, dpi=100)
 
 
-def measured(finished, widest, scale):
-    """Depths at TIMES of a jet that is slower by `scale`, how far its hole is as wide as its widest slug at the end, and what else is kept
-    of a run."""
+def measured(finished, scale):
+    """Depths at TIMES of a jet that is slower by `scale`, how far its hole is as wide as its widest slug at the end (as the run says it),
+    and what else is kept of a run."""
     import barreno
     import numpy as np
 
     summary, table = finished.summary, finished.table("depth.csv")
+    penetration = summary["penetration"]
     depths = np.interp([1e-6 * scale * time for time in TIMES], table["time"], table["depth"])
-    hole = barreno.open(finished.folder).hole
     return {
-        "depth": [round(float(depth), 6) for depth in depths], "probed_depth": round(hole.probed_depth(widest), 6),
-        "channel_volume": summary["penetration"]["channel_volume"], "profile": profile_of(hole),
+        "depth": [round(float(depth), 6) for depth in depths], "probed_depth": round(penetration["probed_depth"], 6),
+        "channel_volume": penetration["channel_volume"], "profile": profile_of(barreno.open(finished.folder).hole),
         "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
     }  # fmt: skip
 
@@ -86,9 +86,9 @@ def main():
         parser.error(f"there is no shot '{unknown[0]}'; there are {', '.join(SHOTS)}")
     for shot in options.what or SHOTS:
         for cells in options.cells:
-            entries, widest, scale = settings_of(shot)
+            entries, scale = settings_of(shot)
             settings = {**entries, **DIVIDED, "Jet/Cells Per Radius": cells}
-            keep(shot, cells, measured(run_deck(options.barreno.resolve(), "perforation_at_rest.xml", settings), widest, scale))
+            keep(shot, cells, measured(run_deck(options.barreno.resolve(), "perforation_at_rest.xml", settings), scale))
     draw(json.loads(STORED.read_text()))
     write_pages()
     return 0

@@ -49,10 +49,10 @@ SHOTS = {  # what differs from the deck: settings, and factors of the jet's velo
 
 
 def settings_of(shot):
-    """Deck entries of a shot, its end included; the radius of its widest slug [m]; and by how much it is slower."""
+    """Deck entries of a shot, its end included, and by how much it is slower."""
     entries, factors = SHOTS[shot]
     scale = 1.0 / factors.get("velocity", 1.0)
     found = {"Time/End Time": f"{scale * TIMES[-1]:.6g} us", **entries}
     if factors:
         found["Jet/Table"] = scaled_table(**factors)
-    return found, widest_slug() * factors.get("radius", 1.0), scale
+    return found, scale
