@@ -322,6 +322,9 @@ def check_text(driver, folder):
     view = View(driver, run / "report" / "index.html")
     assert driver.title == "By <hand>" and BAD in view.text("switches"), (driver.title, view.text("switches"))
     check_quiet(driver, run / "report" / "index.html")
+    wide = ("document.querySelector('h1').textContent = 'x'.repeat(300);"
+        "return document.documentElement.scrollWidth - document.documentElement.clientWidth;")
+    assert driver.execute_script(wide) <= 0, "a long word in a title makes the page wider than the window"
 
 
 def times_of(run):

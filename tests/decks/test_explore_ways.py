@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The explorable view of runs laid by hand, in Chromium without a screen: a jet that flies along -y, a plane that has no mirror, and a
-measured hole.
+"""The explorable view of runs laid by hand, in Chromium without a screen: a jet that flies along -y, a plane that has no mirror, a measured
+hole, and a piece of a jet that is thinner than a pixel.
 
-    test_explore_ways.py [--pictures FOLDER]
+    test_explore_ways.py BARRENO [--pictures FOLDER]
 
 Skipped without Chromium, its driver or Selenium, as test_explore.py.
 """
@@ -14,7 +14,9 @@ import tempfile
 import numpy as np
 import synthetic_run
 from explore_page import View, browser
+from matplotlib.colors import to_rgb
 
+from barreno.report.tones import JET
 from python_commands import said_by
 
 HOLE, LENGTH = 0.004, 0.03  # radius and depth [m]
@@ -150,15 +152,32 @@ def check_panels(driver, folder, keep):
     assert different(changed[: half - 2], both[: half - 2]) == 0.0 and different(changed[half + 2 :], both[half + 2 :]) > FEW
 
 
+def check_sliver(driver, folder):
+    """A piece of the jet that is far thinner than a pixel is a line without gaps, on both sides of the axis."""
+    jet = synthetic_run.jet(np.array([[0.002, 0.018]]), 3000.0)
+    along, across = np.array([0.0009, 0.005]), np.array([1e-6, 0.0])
+    jet.end = jet.end.mean(axis=1) + synthetic_run.SQUARE[None] @ np.array([across, along])
+    run = synthetic_run.write_run(folder / "sliver", [rock_with_hole(([(HOLE, OUTER)], (0.0, HOLE)), 1.0), jet], depth=LENGTH)
+    said_by("barreno.report", "report", run)
+    view = View(driver, run / "report" / "index.html")
+    red = np.abs(picture(view) - 255.0 * np.array(to_rgb(JET))).max(axis=-1) < 2.0
+    middle = red.shape[0] // 2
+    for half in (red[:middle], red[middle:]):
+        columns = np.flatnonzero(half.any(axis=0))
+        assert len(columns) > 100 and len(columns) == np.ptp(columns) + 1, f"{len(columns)} columns in {columns.min()} to {columns.max()}"
+        assert half.sum() < 3 * len(columns), "the line is thick"
+
+
 def main():
-    pictures = pathlib.Path(sys.argv[2]) if sys.argv[1:2] == ["--pictures"] else None
+    pictures = pathlib.Path(sys.argv[3]) if sys.argv[2:3] == ["--pictures"] else None
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         with browser(folder / "profile") as driver:
             keep = lambda name: pictures and driver.save_screenshot(str(pictures / f"{name}.png"))  # noqa: E731
             check_directions(driver, folder, keep)
             check_panels(driver, folder, keep)
-    print("views of jets along -y, of planes without a mirror and of measured holes are as they should be")
+            check_sliver(driver, folder)
+    print("views of jets along -y, of planes without a mirror, of measured holes and of thin pieces are as they should be")
 
 
 if __name__ == "__main__":

@@ -273,6 +273,7 @@ def check_runs(folder):
     """The program's sentences and exit codes; a run that is there is not overwritten unless that is said."""
     refused(lambda: barreno.run(folder / "nowhere.xml"), "does not exist (needed as the deck)")
     refused(lambda: barreno.run(QUICK, {"Time/End Tim": "1 us"}, progress=False), "did you mean 'End Time'?")
+    refused(lambda: barreno.run(QUICK, "Time/End Time=1 us", progress=False), "is not a dictionary", '{"Time/End Time": "30 us"}')
     refused(lambda: barreno.run(QUICK, SHORT, out=folder / "run", progress=False), "already holds a result")
     refused(lambda: barreno.run(QUICK, ranks=0), "is not a number of ranks")
     refused(lambda: barreno.run(QUICK, fidelity="exact", progress=False), "exact")
@@ -326,6 +327,9 @@ def check_sweep(folder):
     refused(lambda: barreno.sweep(deck, {"Confinement/Pressur": "0,34 MPa"}, out=out, progress=False), "Pressur")
     refused(lambda: barreno.sweep(deck, {}, out=out), "sweep needs what to vary")
     refused(lambda: barreno.sweep(deck, "Confinement/Pressure=1"), "vary is not a dictionary")
+    refused(lambda: barreno.sweep(deck, {"Confinement/Pressure": 34e6}, set=["Time/End Time=1 us"], out=out), "is not a dictionary")
+    one = barreno.sweep(deck, {"Confinement/Pressure": 34e6}, out=folder / "one", progress=False)
+    assert one["penetration.depth"].tolist() == depths[1:], one
 
 
 def check_material(binary, folder):
@@ -346,6 +350,8 @@ def check_material(binary, folder):
     refused(lambda: rock.update(np.zeros((1, 5)), *rock.virgin(1)), "strain has the shape (1, 5); (1, 6) is needed")
     refused(lambda: rock.drive(folder / "nowhere.csv"), "does not exist (needed as a path)")
     refused(lambda: rock.drive({"time": [0, 1], "F11": ["a", "b"]}), "path.csv")
+    refused(lambda: rock.drive({"time": [0, 1], "F11": [1.0, 0.99, 0.98]}), "are no table", "the same number of rows")
+    refused(lambda: rock.drive(columns, set="PEAKI1=12 MPa"), "set='PEAKI1=12 MPa' is not a dictionary", "PEAKI1")
 
 
 def main():

@@ -20,7 +20,7 @@ from tools import depth_cost
 from tools.case_list import DOCS, cases, stored
 
 KEY = "Figures"  # of the digest in the PNG file
-DRAWING = 2  # raised when draw() changes what a picture looks like, so that all are drawn anew
+DRAWING = 3  # raised when draw() changes what a picture looks like, so that all are drawn anew
 MARKS = "osD^vP"
 MOST_TICKS = 5  # of an axis whose ticks are the values themselves
 SHORT_SPAN = 200.0  # of a logarithmic axis, below which powers of ten alone would leave it without numbers
@@ -90,6 +90,8 @@ def draw(file, title, picture, curves):
     matplotlib.rcParams["text.parse_math"] = True  # the commands, whose pictures have no formulas, may be loaded too
     import matplotlib.pyplot as plt
 
+    from barreno.report.legends import place_legend
+
     figure, axes = plt.subplots(figsize=(5.6, 4.2), layout="constrained")
     for i, (label, points) in enumerate(curves.items()):
         # Hollow marks of several sizes: curves that coincide are all seen.
@@ -110,9 +112,10 @@ def draw(file, title, picture, curves):
     axes.set(title=title, xlabel=picture["x"], ylabel=picture["y"][0] if len(picture["y"]) == 1 else picture.get("label", "error"))
     axes.grid(alpha=0.3)
     if len(curves) > 1 or "slope" in picture:
-        few = len(axes.get_legend_handles_labels()[1]) <= 3
-        where = {} if few else {"loc": "upper center", "bbox_to_anchor": (0.5, -0.17), "ncols": 3, "frameon": False}
-        axes.legend(fontsize=8, **where)
+        if len(axes.get_legend_handles_labels()[1]) <= 3:
+            place_legend(axes, fontsize=8)
+        else:
+            axes.legend(fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=3, frameon=False)
     figure.savefig(file, dpi=110, metadata={"Software": None, KEY: digest(picture, curves)})
     plt.close(figure)
 

@@ -27,13 +27,15 @@ class Level(Run):
         sizes = [1e-3 * float(one.group(1)) for one in found if one]
         return min([self.cells, *sizes])
 
-    def name(self):
-        """Of its cells, and where they lie."""
+    def name(self, unit="m", size=1.0):
+        """Of its cells, and where they lie.
+
+        @param size  of the unit [m]"""
         finest = self.refined_to()
         if finest > 0.999 * self.cells:
-            return f"{self.cells:.4g} m"
+            return f"{self.cells / size:.4g} {unit}"
         where = "along the jet's path" if float(value_in(self.deck, CELLS_PER_RADIUS) or 0.0) > 0.0 else "where refined"
-        return f"{self.cells:.4g} m ({finest:.4g} m {where})"
+        return f"{self.cells / size:.4g} {unit} ({finest / size:.4g} {unit} {where})"
 
 
 def cells_of(size, count, ratio):

@@ -20,7 +20,7 @@ def unit_of(name):
 
 def draw_over_time(axes, scale, levels, series, rows):
     for level, (time, values) in reversed(list(zip(levels, series))):
-        axes.plot(1e6 * time, values / scale, lw=1.2, label=f"cells of {level.name()}")
+        axes.plot(1e6 * time, values / scale, lw=1.2, label=f"cells of {level.name('mm', 1e-3)}")
     for i, (time, _, verdict) in enumerate(rows):
         label = {} if i else {"label": "interval" if verdict.limit is not None else "spread of the levels"}
         value, low, high = (number / scale for number in (verdict.value, verdict.low, verdict.high))

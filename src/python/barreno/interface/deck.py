@@ -9,11 +9,12 @@ import xml.etree.ElementTree as xml
 
 from barreno.imports.deck import deck_text
 from barreno.runs.faults import FILE, Fault, on_one_line
-from barreno.runs.program import as_set, found_program, named
+from barreno.runs.program import as_set, found_program, named, setting_words
 from barreno.runs.regular_file import read_text
 from barreno.runs.tables import place
 
 READ = {"int": int, "double": float, "bool": lambda text: text.strip().lower() == "true"}
+OF_A_DECK = '{"Time/End Time": "30 us"}'  # settings, as an example
 TEXTS = ("Title",)  # entries that are never the name of a file
 
 
@@ -218,7 +219,7 @@ def file_of(deck):
 
 def words_of(file, settings, fidelity):
     """@param settings  {path: value}; None removes a value or a list"""
-    words = [f"{path}={'' if value is None else value}" for path, value in (settings or {}).items()]
+    words = setting_words(settings, OF_A_DECK)
     return [str(file), *as_set(words), *(["--fidelity", fidelity] if fidelity else [])]
 
 

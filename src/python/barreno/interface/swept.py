@@ -7,23 +7,23 @@ import pathlib
 import signal
 import threading
 
-from barreno.interface.deck import file_of
+from barreno.interface.deck import OF_A_DECK, file_of
 from barreno.interface.frames import read_frame
 from barreno.runs.faults import Fault, needed
+from barreno.runs.program import as_set, setting_words
 from barreno.sweeps.command import run as run_sweep
 
 
 def text_of(values):
-    """Of the values of a parameter: a text as --vary has it, or a sequence."""
-    return values if isinstance(values, str) else ",".join(str(value) for value in values)
+    """Of the values of a parameter: a text as --vary has it, a sequence, or one number."""
+    return ",".join(map(str, values)) if hasattr(values, "__iter__") and not isinstance(values, str) else str(values)
 
 
 def words_of(file, vary, settings, options):
     words = [str(file)]
     for path, values in vary.items():
         words += ["--vary", f"{path}={text_of(values)}"]
-    for path, value in (settings or {}).items():
-        words += ["--set", f"{path}={'' if value is None else value}"]
+    words += as_set(setting_words(settings, OF_A_DECK))
     for name, value in options.items():
         words += [] if value is None else [f"--{name}", str(value)]
     return words

@@ -23,8 +23,8 @@ CLOSED = 0.25  # radius in cells below which a hole is closed
 class Hole:
     cell: float  # [m]
     face: float  # y of the outer face
-    depth: np.ndarray  # of the rows, from the face along the flight [m]
-    radius: np.ndarray  # of the wall; inf where the target has none, 0 where it is closed [m]
+    depth: np.ndarray = dataclasses.field(repr=False)  # of the rows, from the face along the flight [m]
+    radius: np.ndarray = dataclasses.field(repr=False)  # of the wall; inf where the target has none, 0 where it is closed [m]
     plane: bool  # a slot in plane strain instead of a round hole
 
     @property

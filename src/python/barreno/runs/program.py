@@ -117,6 +117,15 @@ def body_of(text):
     return re.sub(r"\A<!--.*?-->\s*", "", text, count=1, flags=re.DOTALL).strip()
 
 
+def setting_words(settings, example):
+    """PATH=value of each; None removes a value or a list.
+
+    @param example  what a caller who gave no dictionary could have written"""
+    if settings is not None and not isinstance(settings, dict):
+        raise Fault(f"set={settings!r} is not a dictionary; write for example set={example}.")
+    return [f"{path}={'' if value is None else value}" for path, value in (settings or {}).items()]
+
+
 def as_set(settings):
     return [word for setting in settings for word in ("--set", setting)]
 

@@ -32,6 +32,6 @@ function drawBar(side) {
     put(value, "", "explore-start");
     return small(`\u2501 at the start ${Number((value / one.size).toPrecision(3))} (${materials.join(", ")})`);
   });
-  if (one.lacking.length) notes.push(small(`grey: ${one.lacking.join(", ")} without it`));
+  if (one.lacking.length) notes.push(small(`grey: without this field (${one.lacking.join(", ")})`));
   bar.append(strip, ...notes);
 }

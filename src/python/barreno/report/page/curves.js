@@ -2,6 +2,7 @@
 // Curves against time, with a line at the output that is shown.
 
 const INK = ["#1f4e79", "#c0392b", "#2e7d32"];
+const DASHES = [[], [6, 5], []];  // two curves that coincide, as depth and open channel, are both seen
 
 function addCurves() {
   for (const {title, time, curves} of scene.plots) {
@@ -14,7 +15,9 @@ function addCurves() {
       legend: {show: false}, scales: {x: {time: false}},
       axes: [{size: 26, font: "11px sans-serif", space: 40, values: (_, ticks) => ticks}, {size: 46, font: "11px sans-serif", space: 24,
         values: (_, ticks) => ticks.map(one => String(Number(one.toPrecision(3))))}],
-      series: [{label: "t [µs]"}, ...curves.map(({name}, i) => ({label: name, stroke: INK[i % 3], width: 1.4, points: {show: false}}))],
+      series: [{label: "t [µs]"}, ...curves.map(({name}, i) => ({
+        label: name, stroke: INK[i % 3], dash: DASHES[i % 3], width: 1.4, points: {show: false},
+      }))],
     }, [time, ...curves.map(one => one.values)], box);
     const marker = Object.assign(document.createElement("div"), {className: "explore-now"});
     marker.move = when => {

@@ -6,21 +6,25 @@ const MOST_PIXELS = 2e6;  // beyond, screens with small pixels are drawn coarser
 const VOID = 0xfff1ebe3;  // colour where no particle is: alpha, blue, green, red
 const LEAST_EDGED = 4;  // pixels: particles with an outline
 
+const HALF = 0.5;  // pixel
+
 let pending = false;
 
-// Writes a number into the pixels of a part whose centres a parallelogram covers, or into the one that has its centre.
+// Writes a number into the pixels of a part whose centres a parallelogram covers, or into the one that has its centre. A parallelogram
+// that is thinner than a pixel is a line: its few pixel centres would be a row of dots.
 function fill(ids, wide, number, [x, y, ax, ay, bx, by], {left, right, top, bottom}) {
-  const reachX = Math.abs(ax) + Math.abs(bx), reachY = Math.abs(ay) + Math.abs(by);
+  const reachX = Math.max(Math.abs(ax) + Math.abs(bx), 0.5), reachY = Math.max(Math.abs(ay) + Math.abs(by), 0.5);
   if (x + reachX < left || x - reachX > right || y + reachY < top || y - reachY > bottom) return;
   const first = Math.max(top, Math.ceil(y - reachY - 0.5)), last = Math.min(bottom - 1, Math.floor(y + reachY - 0.5));
-  const area = ax * by - ay * bx;
+  const area = Math.abs(ax * by - ay * bx);
+  const strips = [[by, bx, Math.max(area, HALF * Math.hypot(bx, by))], [ay, ax, Math.max(area, HALF * Math.hypot(ax, ay))]];
   let drawn = false;
   for (let row = first; row <= last; row++) {
     const dy = row + 0.5 - y;
-    // Of the distance dx across: |dx by - dy bx| <= |area| and |dy ax - dx ay| <= |area|.
+    // Of the distance dx across: |dx by - dy bx| <= area and |dy ax - dx ay| <= area, but at least half a pixel off the middle.
     let low = -reachX, up = reachX;
-    for (const [slope, shift] of [[by, dy * bx], [ay, dy * ax]]) {
-      const size = Math.abs(area);
+    for (const [slope, along, size] of strips) {
+      const shift = dy * along;
       if (Math.abs(slope) > 1e-9) {
         const one = (shift - size) / slope, other = (shift + size) / slope;
         low = Math.max(low, Math.min(one, other));
