@@ -13,7 +13,7 @@ let pending = false;
 // Writes a number into the pixels of a part whose centres a parallelogram covers, or into the one that has its centre. A parallelogram
 // that is thinner than a pixel is a line: its few pixel centres would be a row of dots.
 function fill(ids, wide, number, [x, y, ax, ay, bx, by], {left, right, top, bottom}) {
-  const reachX = Math.max(Math.abs(ax) + Math.abs(bx), 0.5), reachY = Math.max(Math.abs(ay) + Math.abs(by), 0.5);
+  const reachX = Math.max(Math.abs(ax) + Math.abs(bx), HALF), reachY = Math.max(Math.abs(ay) + Math.abs(by), HALF);
   if (x + reachX < left || x - reachX > right || y + reachY < top || y - reachY > bottom) return;
   const first = Math.max(top, Math.ceil(y - reachY - 0.5)), last = Math.min(bottom - 1, Math.floor(y + reachY - 0.5));
   const area = Math.abs(ax * by - ay * bx);
