@@ -2,7 +2,7 @@
 // Curves against time, with a line at the output that is shown.
 
 const INK = ["#1f4e79", "#c0392b", "#2e7d32"];
-const DASHES = [[], [6, 5], []];  // two curves that coincide, as depth and open channel, are both seen
+const DASHES = [[], [6, 5], [2, 4]];  // curves that coincide, as depth and open channel, are all seen
 
 function addCurves() {
   for (const {title, time, curves} of scene.plots) {
