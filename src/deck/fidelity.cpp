@@ -41,8 +41,8 @@ struct Choices {
   /// The same of metal that breaks, whose late slugs pile up (docs/trade.md, Depth at rest), ...
   double breaking_cells_per_radius = 0.0;
   int breaking_splits = 4;  ///< ... and how often its particles are divided
-  int path_per_cell = 1;     ///< of bodies, per direction, where it refines the path
-  int jet_subcycles = 4;     ///< of decks with a jet
+  int path_per_cell = 1;    ///< of bodies, per direction, where it refines the path
+  int jet_subcycles = 4;    ///< of decks with a jet
   /// Of decks with a jet. A particle of debris that runs into single others is strained so much in
   /// one step that it explodes: a kilojoule and more that nobody has put in (docs/method.md 4).
   double jet_largest_strain = 0.1;

@@ -382,8 +382,8 @@ def check_bad_compare(folder):
         assert found[0] == code and said in found[1] and found[1].count("\n") == 1 and found[1].startswith("barreno: "), f"{runs}: {found}"
 
 
-CHECKS = (check_values, check_narrow_hole, check_bad_values, check_samples, check_latin, check_folders, check_lists, check_words, check_slurm,
-    check_ranks)
+CHECKS = (check_values, check_narrow_hole, check_bad_values, check_samples, check_latin, check_folders, check_lists, check_words,
+    check_slurm, check_ranks)
 IN_FOLDERS = (check_script_lines, check_out, check_taken, check_time_left, check_results, check_columns, check_pictures, check_differences,
     check_compare, check_bad_compare)
 

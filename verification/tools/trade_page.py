@@ -64,8 +64,8 @@ def fidelity_section(data):
     breaking = data["breaking"]
     cells = ", ".join(f"{breaking[name]['cells']} ({name})" for name in FIDELITIES)
     (splits,) = {breaking[name]["splits"] for name in FIDELITIES}
-    lines += ["", f"Late slugs of metal that breaks pile up at the bottom. For such a jet there are {cells} cells per radius, and a particle "
-        f"is divided up to {splits} times ([Depth at rest](#depth-at-rest))."]
+    lines += ["", f"Late slugs of metal that breaks pile up at the bottom. For such a jet there are {cells} cells per radius, and a "
+        f"particle is divided up to {splits} times ([Depth at rest](#depth-at-rest))."]
     lines += ["", "Error (and cost relative to balanced) at equal cells, one step for all:", "",
               "| fidelity | " + " | ".join(f"{p.title}: {p.error}, {unit_text(p, p.levels[-1])}" for p in PROBLEMS) + " |",
               "|---|" + "---|" * len(PROBLEMS)]  # fmt: skip

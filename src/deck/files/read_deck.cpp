@@ -7,6 +7,7 @@
 #include "deck/deck_schema.hpp"
 #include "deck/fidelity.hpp"
 #include "deck/files/assumptions_of.hpp"
+#include "deck/files/jet_breaks.hpp"
 #include "deck/files/jet_table.hpp"
 #include "deck/files/read_on_root.hpp"
 #include "deck/files/read_solver_lists.hpp"
@@ -27,7 +28,6 @@
 #include <barreno/find_card.hpp>
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -93,13 +93,19 @@ std::string load_card(const std::string& card, const std::string& path, const Re
   return read_on_root(read, reading.comm);
 }
 
+XMLObject parse_card(const std::string& card, const std::string& path, const Reading& reading) {
+  return input::parse_xml(
+      load_card(card, path, reading),
+      included(reading, join(path, name_of(&MaterialSection::card)), card)
+  );
+}
+
 /// A card is complete in itself; values in the deck beside it replace single ones.
 ParameterList read_card_material(
     const XMLObject& xml, const std::string& card, const std::string& path, Reading& reading
 ) {
-  const std::string text = load_card(card, path, reading);
   const std::string source = included(reading, join(path, name_of(&MaterialSection::card)), card);
-  const XMLObject card_xml = input::parse_xml(text, source);
+  const XMLObject card_xml = parse_card(card, path, reading);
   for (const std::string& note : assumptions_of(card_xml, card)) reading.notes.push_back(note);
   ParameterList list = scan_card(card_xml, source);
   const auto model = list.get<std::string>("Model");
@@ -137,41 +143,6 @@ ParameterList read_material(const XMLObject& xml, const std::string& path, Readi
   if (const input::Entry* const tolerance = find_tolerance(section))
     reading.fidelity.choose_tolerance(xml, path, *tolerance, {});
   return input::scan_list(xml, section, path, reading.source);
-}
-
-/// The lists that say what a material is, the deck's own before its card; empty where there is none
-/// of that name.
-std::vector<XMLObject> lists_of_material(
-    const XMLObject& root, const std::string& name, const Reading& reading
-) {
-  const std::string& path = table_of<MaterialSection>().path;
-  const auto materials = input::find_list(root, path);
-  const auto own = materials ? input::find_list(*materials, name) : std::nullopt;
-  if (!own) return {};
-  std::vector<XMLObject> lists{*own};
-  const std::string& entry = name_of(&MaterialSection::card);
-  if (const auto card = input::find_text(*own, entry)) {
-    const std::string whole = join(path, name);
-    lists.push_back(input::parse_xml(
-        load_card(*card, whole, reading), included(reading, join(whole, entry), *card)
-    ));
-  }
-  return lists;
-}
-
-/// Whether the jet's metal breaks, as far as a deck can be understood before it is read.
-bool jet_breaks(const XMLObject& root, const Reading& reading) {
-  const auto jet = input::find_list(root, table_of<JetSpec>().path);
-  const auto material = jet ? input::find_text(*jet, "Material") : std::nullopt;
-  if (!material) return false;
-  const std::vector<XMLObject> lists = lists_of_material(root, *material, reading);
-  for (const char* name : {"Spall Stress", "D1", "D2", "D3", "D4", "D5"})
-    for (const XMLObject& list : lists)
-      if (const auto text = input::find_text(list, name)) {
-        if (std::strtod(text->c_str(), nullptr) != 0.0) return true;
-        break;  // the first says it
-      }
-  return false;
 }
 
 void read_materials(const XMLObject& root, Reading& reading, ParameterList& values) {
@@ -483,7 +454,10 @@ Deck read_deck(
       {input::find_text(root, name_of(&HeadSection::fidelity)).value_or(""), units},
       {}};
   const bool chooses = input::find_text(root, name_of(&HeadSection::fidelity)).has_value();
-  reading.fidelity.choose_for_deck(root, chooses && jet_breaks(root, reading));
+  const auto parsed_card = [&](const std::string& card, const std::string& material) {
+    return parse_card(card, material, reading);
+  };
+  reading.fidelity.choose_for_deck(root, chooses && jet_breaks(root, parsed_card));
 
   ParameterList values = read_values(root, reading, made);
   read_solver_lists(root, name, values);
