@@ -15,7 +15,8 @@ plot_packages=(python3 python3-numpy python3-matplotlib)
 table_packages=("${plot_packages[@]}" python3-pandas)
 report_packages=("${table_packages[@]}" python3-netcdf4 python3-jinja2)
 fit_packages=("${plot_packages[@]}" python3-scipy)
-commands=(run resume check jet report flow film join converge sweep compare drive fit import-ups describe python)
+uncertainty_packages=("${table_packages[@]}" python3-scipy)
+commands=(run resume check jet report flow film join converge sweep uncertainty compare drive fit import-ups describe python)
 
 usage() {
   sed "s|^barreno |$name |" <<'TEXT'
@@ -38,6 +39,9 @@ barreno converge DECK [--quantity NAME] [--times "10 us, 20 us"] [--levels 3] [-
 barreno sweep DECK --vary "LIST/NAME=VALUE,VALUE UNIT"... [--sample grid|list|latin] [--samples N] [--jobs N]
                 [--out FOLDER] [--set ...] [--fidelity ...] [--ranks N] [--submit slurm] [--collect]
                                   several values of parameters, runs side by side: table, curves, channels (docs/sweep.md)
+barreno uncertainty DECK [--vary "LIST/NAME=LOW..HIGH UNIT"]... [--ranges FILE.csv] [--hold LIST/NAME]... [--runs N]
+                [--design latin|one-at-a-time] [--jobs N] [--out FOLDER] [--set ...] [--fidelity ...] [--ranks N]
+                                  how sure a depth is: intervals from ranges of the inputs, who contributes what (docs/uncertainty.md)
 barreno compare RUN RUN... [--out FOLDER]   the same for runs at hand: how their decks and results differ
 barreno drive --material CARD --path PATH --out OUT [--steps-per-row N] [--every-step] [--plot PNG]
                 [--set PARAMETER=value]   one material point along a path of deformation, strain or stress
@@ -111,7 +115,7 @@ check_ranks() {  # text behind --ranks
   fi
 }
 
-# Of converge and sweep, before anything is installed or built. A script for a batch system is for other machines.
+# Of converge, sweep and uncertainty, before anything is installed or built. A script for a batch system is for other machines.
 check_ranks_in() {  # the words of the command
   local word ranks="" before=""
   for word in "$@"; do
@@ -216,7 +220,7 @@ help_of() {  # command
     import-ups) package=barreno.imports ;;
     sweep) package=barreno.sweeps ;;
     join) package=barreno.runs.join_exodus ;;
-    jet | flow | converge | compare | fit) ;;
+    jet | flow | converge | uncertainty | compare | fit) ;;
     *) package="" ;;
   esac
   if [[ -n $package ]] && page=$(start_python "$package" "${words[@]}" 2>/dev/null); then
@@ -226,7 +230,7 @@ help_of() {  # command
   fi
 }
 
-# converge and sweep say a missing deck before anything is installed or built.
+# converge, sweep and uncertainty say a missing deck before anything is installed or built.
 demand_deck() {  # command, example, and the words behind the command
   local command=$1 example=$2
   shift 2
@@ -240,7 +244,7 @@ demand_deck() {  # command, example, and the words behind the command
   fi
 }
 
-is_python_command() { [[ ${1-} =~ ^(jet|report|flow|film|join|converge|sweep|compare|fit|import-ups)$ ]]; }
+is_python_command() { [[ ${1-} =~ ^(jet|report|flow|film|join|converge|sweep|uncertainty|compare|fit|import-ups)$ ]]; }
 
 carry_out() {  # the words of the command line
   local word example
@@ -322,6 +326,17 @@ carry_out() {  # the words of the command line
       BARRENO_CORES=$(cores)
       export BARRENO_PROGRAM=$binary BARRENO_COMMAND BARRENO_CORES
       start_python barreno.sweeps "$@"
+      ;;
+    uncertainty)
+      shift
+      demand_deck uncertainty "--fidelity fast" "$@"
+      check_ranks_in "$@"
+      need_packages "${uncertainty_packages[@]}"
+      prepare OFF
+      mpi_environment
+      BARRENO_CORES=$(cores)
+      export BARRENO_PROGRAM=$binary BARRENO_CORES
+      start_python barreno.uncertainty "$@"
       ;;
     compare)
       shift

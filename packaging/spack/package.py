@@ -14,7 +14,7 @@ class Barreno(CMakePackage):
     version(sanity_version)
 
     variant("native", default=True, description="Compile for the processor of this machine")
-    variant("python", default=True, description="What report, film, converge, sweep, compare and fit need")
+    variant("python", default=True, description="What report, film, converge, sweep, uncertainty, compare and fit need")
 
     depends_on("c", type="build")
     depends_on("cxx", type="build")

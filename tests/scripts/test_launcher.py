@@ -172,6 +172,19 @@ def check_sweep(machine, folder):
     assert sorted(packages) == sorted([*REPORT_PACKAGES, "python3-scipy"]), packages
 
 
+def check_uncertainty(machine, folder):
+    """As sweep, with SciPy and without netCDF4; its help needs neither packages nor a build."""
+    refused(*machine.run("uncertainty"), 1, "uncertainty takes a deck")
+    refused(*machine.run("uncertainty", folder / "nowhere.xml"), 2, "nowhere.xml does not exist")
+    machine.file("src/python/barreno/uncertainty/__main__.py",
+        "import os, sys; print('sure', sys.argv[1:], os.environ['BARRENO_PROGRAM'], os.environ['BARRENO_CORES'])")
+    (folder / "a deck.xml").write_text("")
+    result, calls = machine.run("uncertainty", folder / "a deck.xml", "--runs", "5")
+    assert result.returncode == 0 and f"sure ['{folder / 'a deck.xml'}', '--runs', '5']" in result.stdout, result.stderr
+    packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
+    assert sorted(packages) == ["python3", "python3-matplotlib", "python3-numpy", "python3-pandas", "python3-scipy"], packages
+
+
 def check_compare(machine, folder):
     """Nothing is built to look at runs; its own help needs no packages either."""
     refused(*machine.run("compare"), 1, "compare takes the folders of two runs or more")
@@ -237,15 +250,15 @@ def check_words(machine):
     refused(*machine.run("resume", "run", "--ranks", "9" * 30), 1, "is more than this machine can start")
     refused(*machine.run("run", "deck.xml", "--ranks", "0"), 1, "is not a number of ranks")
     machine.file("deck.xml", "")
-    for command in ("sweep", "converge"):
+    for command in ("sweep", "uncertainty", "converge"):
         for words in (["--ranks", "1000000000"], ["--ranks=1000000000"]):
             refused(*machine.run(command, machine.tree / "deck.xml", *words), 1, "--ranks 1000000000 is more than this machine can start")
     refused(*machine.run("rnu", "deck.xml"), 1, '"rnu" is not a command')
     for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["film", "-h"], ["test", "-h"], ["drive", "--help"]):
         result, calls = machine.run(*words)
         assert result.returncode == 0 and not calls and not result.stderr, f"{words}: {result.stderr}"
-        missing = [word for word in ("report", "film", "converge", "sweep", "compare", "fit", "import-ups", "--set", "--fidelity", "--out",
-            "--until", "--overwrite") if word not in result.stdout]
+        missing = [word for word in ("report", "film", "converge", "sweep", "uncertainty", "compare", "fit", "import-ups", "--set", "--fidelity",
+            "--out", "--until", "--overwrite") if word not in result.stdout]
         assert not missing, f"{words}: the help lacks {missing}"
 
 
@@ -311,7 +324,7 @@ def check_install(machine, build):
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep,
-        check_compare, check_fit, check_import, check_join, check_python, lambda m, f: check_words(m), lambda m, f: check_tests(m),
+        check_uncertainty, check_compare, check_fit, check_import, check_join, check_python, lambda m, f: check_words(m), lambda m, f: check_tests(m),
         lambda m, f: check_ci(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:

@@ -8,7 +8,7 @@ from barreno.runs.program import as_set, found_program
 from barreno.compare.results import list_of
 from barreno.runs.run_folder import deck_in, read_summary
 from barreno.sweeps import plan, slurm
-from barreno.sweeps.compute import compute_all, take_all
+from barreno.sweeps.compute import compute_all, refuse_interrupted, say_failures, take_all
 from barreno.sweeps.sample import points_of
 from barreno.sweeps.variation import read_variations
 from barreno.sweeps.words import check_words, jobs_of, out_folder, parse
@@ -34,21 +34,6 @@ def make_plan(options, program, out):
 def names_of(points):
     names = [point.label for point in points[:MOST_NAMES]]
     return list_of(names) if len(points) <= MOST_NAMES else f"{', '.join(names)} and {len(points) - MOST_NAMES} more"
-
-
-def refuse_interrupted(program, points):
-    if program.asked and any(not point.how or point.code for point in points):
-        there = sum(bool(point.how) and not point.code for point in points)
-        raise Fault(f"interrupted with {there} of {len(points)} runs finished; the same command continues, and takes the finished runs as "
-            "they are.", 128 + program.asked)
-
-
-def say_failures(points):
-    """@return exit code"""
-    failed = [point for point in points if point.code]
-    for point in failed:
-        print(f"barreno: the run with {point.label} {point.failure()}", file=sys.stderr)
-    return failed[0].failure_code() if failed else 0
 
 
 def note_failure(point):

@@ -5,6 +5,7 @@ import shutil
 import sys
 import time
 
+from barreno.runs.faults import Fault
 from barreno.runs.make_runs import Making, finished_in, take_finished
 from barreno.compare.results import DEPTH
 from barreno.runs.run_folder import progress_of, read_summary, scalars_of
@@ -128,3 +129,18 @@ def compute_all(program, points, places, jobs):
             time.sleep(PAUSE)
     if watch.terminal:
         print("\r\033[K", end="", flush=True)
+
+
+def refuse_interrupted(program, points):
+    if program.asked and any(not point.how or point.code for point in points):
+        there = sum(bool(point.how) and not point.code for point in points)
+        raise Fault(f"interrupted with {there} of {len(points)} runs finished; the same command continues, and takes the finished runs as "
+            "they are.", 128 + program.asked)
+
+
+def say_failures(points):
+    """@return exit code"""
+    failed = [point for point in points if point.code]
+    for point in failed:
+        print(f"barreno: the run with {point.label} {point.failure()}", file=sys.stderr)
+    return failed[0].failure_code() if failed else 0

@@ -39,7 +39,7 @@ def check_lists(base, variations):
             continue
         near = difflib.get_close_matches(name, known, 1)
         hint = f"did you mean '{near[0]}'?" if near else f"choose one of {', '.join(map(repr, known))}." if known else "add it to the deck."
-        raise Fault(f'--vary "{variation.path}": the deck has no list {name} in {owner}; {hint}')
+        raise Fault(f'{variation.where()}: the deck has no list {name} in {owner}; {hint}')
 
 
 def check_settings(settings, variations):
@@ -47,7 +47,7 @@ def check_settings(settings, variations):
     paths = {setting.partition("=")[0] for setting in settings}
     for variation in variations:
         if variation.path in paths:
-            raise Fault(f'--vary "{variation.path}" varies what --set or --fidelity fixes; leave one of them out.')
+            raise Fault(f'{variation.where()} varies what --set or --fidelity fixes; leave one of them out.')
 
 
 def short_names(variations):
@@ -75,22 +75,25 @@ def folder_names(names, points):
 
 
 def make_points(program, deck, settings, variations, points, out):
-    """Every run's effective deck: what is wrong with one is said before anything is computed."""
     names = short_names(variations)
     words = [[deck, *as_set([*settings, *(f"{variation.path}={value.text}" for variation, value in zip(variations, values))])]
         for values in points]
+    made = [Point(word, "", out / name, values=values, label=label_of(names, values))
+        for word, name, values in zip(words, folder_names(names, points), points)]
+    set_decks(made, lambda point: program.effective_deck(point.words))
+    return made
+
+
+def set_decks(points, deck_of):
+    """Every run's effective deck: what is wrong with one is said before anything is computed.  @param deck_of  a point"""
     with concurrent.futures.ThreadPoolExecutor(CHECKS_AT_ONCE) as checks:
-        decks = list(checks.map(program.effective_deck, words))
-    made = [
-        Point(word, text, out / name, values=values, label=label_of(names, values))
-        for word, text, name, values in zip(words, decks, folder_names(names, points), points)
-    ]
+        decks = list(checks.map(deck_of, points))
     seen = {}
-    for point in made:
-        other = seen.setdefault(point.deck, point)
+    for point, deck in zip(points, decks):
+        point.deck = deck
+        other = seen.setdefault(deck, point)
         if other is not point:
             raise Fault(f"{other.label} and {point.label} make the same run (the values that take effect are equal); leave one out.")
-    return made
 
 
 def digest_of(deck):
@@ -104,18 +107,18 @@ def recorded_base(file):
         return None
 
 
-def check_out(out, base):
-    """A folder that holds anything but a sweep of this deck is left alone."""
+def check_out(out, base, record=RECORD, study="a sweep"):
+    """A folder that holds anything but a sweep of this deck, or another study of it that keeps such a record, is left alone."""
     if not out.exists():
         return
     if not out.is_dir():
-        raise Fault(f"--out {out} is a file (the runs of the sweep need a folder); name another one.", FILE)
-    record, held = out / RECORD, sorted(file.name for file in out.iterdir() if not file.name.startswith("."))
-    if held and not record.exists():
-        raise Fault(f"--out {out} holds something else ({', '.join(held[:3])}{', ...' if len(held) > 3 else ''}, and no {RECORD}); name "
+        raise Fault(f"--out {out} is a file (the runs of {study} need a folder); name another one.", FILE)
+    held = sorted(file.name for file in out.iterdir() if not file.name.startswith("."))
+    if held and not (out / record).exists():
+        raise Fault(f"--out {out} holds something else ({', '.join(held[:3])}{', ...' if len(held) > 3 else ''}, and no {record}); name "
             "another folder.", FILE)
-    if held and recorded_base(record) != digest_of(base):
-        raise Fault(f"--out {out} holds a sweep of another deck, or of this one with other values of what is not varied; name another "
+    if held and recorded_base(out / record) != digest_of(base):
+        raise Fault(f"--out {out} holds {study} of another deck, or of this one with other values of what is not varied; name another "
             "folder, or remove that one.", FILE)
 
 

@@ -24,13 +24,15 @@ def together(variations):
     return list(zip(*(variation.values for variation in variations)))
 
 
+def hypercube(dimensions, samples, seed):
+    """A row of shares of the ranges for each sample: each range in as many equal parts as there are samples, and one value in every part, in
+    an order drawn anew for every parameter (McKay, Beckman and Conover, Technometrics 21, 239, 1979), as SciPy draws them."""
+    return needed("scipy.stats.qmc").LatinHypercube(d=dimensions, seed=seed).random(samples)
+
+
 def latin_hypercube(variations, samples, seed):
-    """Each range in as many equal parts as there are samples, and one value in every part, in an order drawn anew for every parameter
-    (McKay, Beckman and Conover, Technometrics 21, 239, 1979), as SciPy draws them. Numbers have six digits, which make the same deck
-    wherever they are drawn."""
-    qmc = needed("scipy.stats.qmc")
-    shares = qmc.LatinHypercube(d=len(variations), seed=seed).random(samples)
-    for variation, column in zip(variations, shares.T):
+    """Numbers have six digits, which make the same deck wherever they are drawn."""
+    for variation, column in zip(variations, hypercube(len(variations), samples, seed).T):
         texts = [f"{variation.low + share * (variation.high - variation.low):.6g}" for share in column]
         variation.values = [Value(f"{text} {variation.unit}".strip(), float(text), variation.unit) for text in texts]
     return list(zip(*(variation.values for variation in variations)))

@@ -29,6 +29,9 @@ class Variation:
     def name(self):
         return self.path.rpartition("/")[2]
 
+    def where(self):
+        return f'--vary "{self.path}"'
+
     def common_unit(self):
         """Of all values, None if they are not all numbers or have several."""
         units = {value.unit for value in self.values}
@@ -89,10 +92,11 @@ def is_range(text):
     return bool(dots and NUMBER.fullmatch(low) and NUMBER.fullmatch(high))
 
 
-def read_range(word):
+def read_range(word, drawn_by="--sample latin"):
+    """@param drawn_by  that a sentence names"""
     path, text = parts_of(word)
     if not is_range(text) or "..." in text:
-        raise Fault(f'--vary "{word}" is not a range (--sample latin draws between two numbers, LIST/NAME=LOW..HIGH UNIT); '
+        raise Fault(f'--vary "{word}" is not a range ({drawn_by} draws between two numbers, LIST/NAME=LOW..HIGH UNIT); '
             f'{RANGE_EXAMPLE}.')
     low, high = (value_of(part) for part in text.split("..", 1))
     unit = high.unit or low.unit
@@ -116,8 +120,12 @@ def read_variations(words, sample):
         if double and sample == "grid":
             raise Fault(f'--vary "{word}" has the value {double} twice (each makes a run of its own); leave one out.')
         variations.append(variation)
+    refuse_twice(variations)
+    return variations
+
+
+def refuse_twice(variations, has="list of values", all_of="all of its values in one --vary"):
     paths = [variation.path for variation in variations]
     again = next((path for path in paths if paths.count(path) > 1), None)
     if again:
-        raise Fault(f'--vary "{again}" is given twice (a parameter has one list of values); write all of its values in one --vary.')
-    return variations
+        raise Fault(f'--vary "{again}" is given twice (a parameter has one {has}); write {all_of}.')

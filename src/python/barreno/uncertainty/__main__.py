@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import sys
+
+from barreno.runs.faults import start
+
+sys.exit(start("barreno.uncertainty.command"))
