@@ -34,13 +34,14 @@ CODE = re.compile(r"`[^`\n]*`|\]\([^)\n]*\)|^ {4}.*$", re.MULTILINE)  # and targ
 WRITTEN = ("README.md", "input_xml/README.md", "docs/architecture.md", "docs/checkpoints.md", "docs/converge.md", "docs/development.md",
            "docs/drive.md", "docs/extending.md", "docs/figures.md", "docs/finite_elements.md", "docs/materials/arenisca.md",
            "docs/materials/poroelastic.md", "docs/method.md", "docs/output.md", "docs/paper.md", "docs/performance.md", "docs/sweep.md",
-           "verification/trade_notes.md")  # fmt: skip
+           "docs/uncertainty.md", "verification/trade_notes.md")  # fmt: skip
 SETTINGS = {
     "README.md": ("70 us",),  # when the picture was taken
     "docs/checkpoints.md": ("1 MB",),  # of a chunk
     "docs/finite_elements.md": ("2 %",),  # of strain, in the example
     "docs/paper.md": ("5 %", "30 us", "60 us"),  # of pores, in a deck; when depths are compared
     "docs/performance.md": ("1 MB",),
+    "docs/uncertainty.md": ("90 %", "95 %", "2 %", "5 %"),  # of intervals, and widths that are assumed
 }
 PAGES_WITH_PARTS = ["README.md", "input_xml/README.md",
     *sorted(str(file.relative_to(ROOT)) for folder in ("docs", "docs/materials") for file in (ROOT / folder).glob("*.md"))]

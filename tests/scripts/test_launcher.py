@@ -257,8 +257,8 @@ def check_words(machine):
     for words in ([], ["-h"], ["--help"], ["run", "-h"], ["report", "--help"], ["film", "-h"], ["test", "-h"], ["drive", "--help"]):
         result, calls = machine.run(*words)
         assert result.returncode == 0 and not calls and not result.stderr, f"{words}: {result.stderr}"
-        missing = [word for word in ("report", "film", "converge", "sweep", "uncertainty", "compare", "fit", "import-ups", "--set", "--fidelity",
-            "--out", "--until", "--overwrite") if word not in result.stdout]
+        missing = [word for word in ("report", "film", "converge", "sweep", "uncertainty", "compare", "fit", "import-ups", "--set",
+            "--fidelity", "--out", "--until", "--overwrite") if word not in result.stdout]
         assert not missing, f"{words}: the help lacks {missing}"
 
 
@@ -324,7 +324,8 @@ def check_install(machine, build):
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     checks = [check_copied_tree, lambda m, f: check_locks(m), check_report, lambda m, f: check_plot(m), check_converge, check_sweep,
-        check_uncertainty, check_compare, check_fit, check_import, check_join, check_python, lambda m, f: check_words(m), lambda m, f: check_tests(m),
+        check_uncertainty, check_compare, check_fit, check_import, check_join, check_python, lambda m, f: check_words(m),
+        lambda m, f: check_tests(m),
         lambda m, f: check_ci(m), lambda m, f: check_batch_job(m), lambda m, f: check_install(m, build)]
     for check in checks:
         with tempfile.TemporaryDirectory() as scratch:

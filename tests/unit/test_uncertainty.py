@@ -231,7 +231,8 @@ def check_settled():
     assert (one.low, one.high, one.own) == (1e6, 3e6, 2e6), one
     refused(lambda: ranges.settle(ranges.read_word("A/B=1..9 MPa"), deck.format(2e6), effective),
         '--vary "A/B": the end 9 MPa of the range is refused (a.xml: A/B = 9 is out of bounds', "narrow the range")
-    refused(lambda: ranges.settle(Range("A/B", "3", "2", given_by="a.csv, A/B"), deck.format(1.0), effective), "a.csv, A/B: the range 3 to 2 is empty")
+    refused(lambda: ranges.settle(Range("A/B", "3", "2", given_by="a.csv, A/B"), deck.format(1.0), effective),
+        "a.csv, A/B: the range 3 to 2 is empty")
     refused(lambda: ranges.settle(ranges.read_word("A/B=1..3"), deck.format("fast"), effective), 'is "fast", which is no number')
     for text in ("-1..1", "0..1", "1..2 km/s"):
         refused(lambda text=text: ranges.settle(ranges.read_word(f"Jet/Velocity={text}"), deck, effective), "is no factor of the jet")
@@ -261,9 +262,33 @@ def check_jets():
     assert 0.0 < 0.9 * 1.8 - float(value_in(deck, "Jet/Cells Per Radius")) < 1e-7
     assert value_in(decks.with_jet(JET, 1.0, 1.0), "Materials/Rock/B0") == "6.74e9"
     refused(lambda: decks.check_jet("<a/>", [given("Jet/Radius")]), "the deck has no Jet", "--hold Jet")
-    surface = JET.replace('name="Shapes">', 'name="Shapes"><ParameterList name="Cup"><Parameter name="File" value="cup.stl"/></ParameterList>')
+    cup = '<ParameterList name="Cup"><Parameter name="File" value="cup.stl"/></ParameterList>'
+    surface = JET.replace('name="Shapes">', f'name="Shapes">{cup}')
     refused(lambda: decks.check_jet(surface, [given("Jet/Radius")]), "a surface from a file (Shapes/Cup)")
     decks.check_jet(surface, [given("Confinement/Pressure")])
+
+
+def check_cells_for_all():
+    """Where the deck leaves them open, cells suit the thinnest jet in all runs; cells that the deck gives stay."""
+    shapes, size = '<ParameterList name="Shapes">', '<Parameter name="Cell Size" value="SIZE"/>'
+    grid = JET.replace(shapes, f'<ParameterList name="Grid">{size}</ParameterList>{shapes}')
+
+    def with_size(size):
+        return grid.replace("SIZE", str(size))
+
+    def effective(text):
+        """As the program: cells that are open are as large as the radius of the thinnest slug."""
+        open_cells = '"Cell Size"' not in text
+        radius = decks.rows_in(value_in(text, "Jet/Slugs"))[1][2]
+        return with_size(radius) if open_cells else text
+
+    near(decks.cells_for_all(with_size(0.001), 0.9, effective), 0.0009, 1e-15)
+    assert decks.cells_for_all(with_size(0.001), 1.0, effective) == 0.001 and decks.cells_for_all(with_size(0.002), 0.9, effective) == 0.002
+    deck = decks.with_jet(decks.with_cells(with_size(0.001), 0.0009), 1.0, 1.1, 0.9)
+    assert decks.cells_of(deck) == 0.0009
+    near(float(value_in(deck, "Jet/Cells Per Radius")), 1.8 * 1.1 / 0.9, 1e-7)
+    assert command.least_radius([given("Jet/Radius", low=0.9), given("Jet/Velocity", low=0.5)]) == 0.9
+    assert command.least_radius([given("Jet/Velocity", low=0.5)]) == 1.0
 
 
 def check_settings():
@@ -299,7 +324,8 @@ def check_known(folder):
     """Ranges of a card: what fit wrote beside it, else those that are shipped; of jet and pressures an assumption that says so."""
     deck = folder / "deck.xml"
     deck.write_text('<ParameterList><ParameterList name="Materials"><ParameterList name="Rock"><Parameter name="Card" value="my.xml"/>'
-        '</ParameterList><ParameterList name="Jet"><Parameter name="Card" value="Tungsten"/></ParameterList></ParameterList></ParameterList>')
+        '</ParameterList><ParameterList name="Jet"><Parameter name="Card" value="Tungsten"/></ParameterList></ParameterList>'
+        '</ParameterList>')
     options = argparse.Namespace(deck=deck, settings=[])
     assert known.cards_of(options) == {"Rock": "my.xml", "Jet": "Tungsten"}
     assert known.cards_of(argparse.Namespace(deck=deck, settings=["Materials/Rock/Card=brine", "Materials/Jet/Card="])) == {"Rock": "brine"}
@@ -341,7 +367,8 @@ def check_designs():
 
 def check_words():
     here = __file__
-    for more, said in ((["--jobs", "0"], "--jobs 0 is not a number of runs at a time"), (["--runs", "2"], "--runs 2 is not a number of runs (3"),
+    for more, said in ((["--jobs", "0"], "--jobs 0 is not a number of runs at a time"), 
+            (["--runs", "2"], "--runs 2 is not a number of runs (3"),
             (["--runs", "20000"], "--runs 20000 is more than 10000"), (["--design", "grid"], "it is one of latin and one-at-a-time"),
             (["--seed", "-1"], "--seed -1 is below 0"), (["--ranks", "0"], "--ranks 0 is not a number of ranks"),
             (["--ranges", "nowhere.csv"], "nowhere.csv does not exist (needed as --ranges)")):  # fmt: skip
@@ -389,7 +416,8 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         for check in (check_exact_line, check_coverage, check_told, check_ishigami, check_parabolas, check_order_statistics, check_cells,
-                check_left_out, check_settled, check_jets, check_settings, check_shipped_ranges, check_designs, check_words):
+                check_left_out, check_settled, check_jets, check_cells_for_all, check_settings, check_shipped_ranges, check_designs,
+                check_words):
             check()
         for check in (check_ranges, check_known, check_given, check_report):
             (folder / check.__name__).mkdir()

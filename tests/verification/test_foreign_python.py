@@ -10,7 +10,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = ("cmake", "docs", "input_xml", "verification")
 SCRIPTS = ("verify.py", "pages.py", "trade.py", "predictions.py", "extremes.py", "paper.py", "deck_times.py", "depth_runs.py",
-    "depth_at_rest.py", "converge_examples.py")
+    "depth_at_rest.py", "converge_examples.py", "uncertainty_examples.py")
 
 
 def not_executable():

@@ -20,6 +20,7 @@ from performance import solver_cost
 from performance import step_cost
 from fits import synthetic_results
 from tools import trade_page
+from tools import uncertainty_parts
 from performance import wet_time
 from tools.case_list import RESULTS
 from tools.verification_pages import table
@@ -65,6 +66,7 @@ PARTS = {
     "scaling_model.py": scaling_model.stored_part,
     "step_cost.py": step_cost.stored_part,
     "synthetic_fits.py": synthetic_results.stored_part,
+    "uncertainty": uncertainty_parts.example,
     "wet_time.py": wet_time.stored_part,
     **paper_parts.PARTS,
 }

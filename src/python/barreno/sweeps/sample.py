@@ -25,8 +25,8 @@ def together(variations):
 
 
 def hypercube(dimensions, samples, seed):
-    """A row of shares of the ranges for each sample: each range in as many equal parts as there are samples, and one value in every part, in
-    an order drawn anew for every parameter (McKay, Beckman and Conover, Technometrics 21, 239, 1979), as SciPy draws them."""
+    """A row of shares of the ranges for each sample: each range in as many equal parts as there are samples, and one value in every part,
+    in an order drawn anew for every parameter (McKay, Beckman and Conover, Technometrics 21, 239, 1979), as SciPy draws them."""
     return needed("scipy.stats.qmc").LatinHypercube(d=dimensions, seed=seed).random(samples)
 
 

@@ -6,6 +6,7 @@ import json
 import pathlib
 import shutil
 import sys
+import tempfile
 
 from barreno.compare.results import FINISHED, Row, as_csv, draw_into, finished_row
 from barreno.runs.effective_deck import value_in
@@ -47,8 +48,8 @@ def given_ranges(options):
 def check_held(held, paths):
     for one in held:
         if not any(is_held(path, [one]) for path in paths):
-            raise Fault(f"--hold {one} names nothing that is varied ({', '.join(paths[:MOST_NAMES])}{', ...' if len(paths) > MOST_NAMES else ''}); "
-                "leave it out.")
+            varied = f"{', '.join(paths[:MOST_NAMES])}{', ...' if len(paths) > MOST_NAMES else ''}"
+            raise Fault(f"--hold {one} names nothing that is varied ({varied}); leave it out.")
 
 
 def find_ranges(options, program, base, say):
@@ -94,23 +95,45 @@ def digest_of(values):
     return hashlib.sha256(json.dumps(values, sort_keys=True).encode()).hexdigest()[:8]
 
 
-def words_of_run(options, base, ranges, values, number, out):
-    """Words of the deck; a deck with another jet is written first."""
+def least_radius(ranges):
+    return min([1.0, *(one.low for one in ranges if one.path == decks.RADIUS)])
+
+
+def fit_cells(program, base, ranges, say):
+    """The base of decks with other jets, whose thinnest the cells must resolve as the deck wants it."""
+    least = least_radius(ranges)
+
+    def effective(text):
+        with tempfile.NamedTemporaryFile("w", suffix=".xml") as file:
+            file.write(text)
+            file.flush()
+            return program.effective_deck([file.name])
+
+    size = decks.cells_for_all(base, least, effective)
+    if size != decks.cells_of(base):
+        say(f"Cells of {1e3 * size:.4g} mm in all runs, for the thinnest jet (the deck alone: {1e3 * decks.cells_of(base):.4g} mm).")
+    return decks.with_cells(base, size), (least if size != decks.cells_of(base) else 1.0)
+
+
+def words_of_run(options, base, jet_base, ranges, values, number, out):
+    """Words of the deck; a deck with another jet is written first.  @param jet_base  deck, and the factor of radius of its cells"""
     settings = decks.settings_of(base, values)
     settings += decks.seed_settings(base, number) if options.design == LATIN else []
     if not any(one.path in decks.FACTORS for one in ranges):
         return [options.deck, *as_set([*options.settings, *settings])]
+    make_folder(out / INPUTS)
     file = out / INPUTS / f"jet-{digest_of(decks.factors_of(values))}.xml"
-    place(file, decks.with_jet(base, *decks.factors_of(values)))
+    place(file, decks.with_jet(jet_base[0], *decks.factors_of(values), jet_base[1]))
     return [str(file), *as_set(settings)]
 
 
 def make_points(options, program, base, ranges, shares, out):
-    points = []
+    points, jet_base = [], fit_cells(program, base, ranges, print)
     for number, row in enumerate(shares, 1):
         values = values_of(ranges, row)
-        points.append(plan.Point(words_of_run(options, base, ranges, values, number, out), "", out / f"run-{number:02d}-{digest_of(values)}",
-            values=tuple(values.values()), label=label_of(options, ranges, number, row, shares[0])))
+        run_words = words_of_run(options, base, jet_base, ranges, values, number, out)
+        label = label_of(options, ranges, number, row, shares[0])
+        points.append(plan.Point(run_words, "", out / f"run-{number:02d}-{digest_of(values)}", values=tuple(values.values()), label=label))
     plan.set_decks(points, lambda point: deck_of(program, ranges, point))
     return points
 
@@ -120,15 +143,14 @@ def deck_of(program, ranges, point):
         return program.effective_deck(point.words)
     except Fault as fault:
         values = ", ".join(f"{name} = {value:g}" for name, value in zip((one.name() for one in ranges), point.values))
-        raise Fault(f"the ranges allow a deck that is refused ({str(fault).rstrip('.')}; {point.label}: {values}); narrow them, or hold one of "
-            "these parameters with --hold.", fault.code) from None
+        raise Fault(f"the ranges allow a deck that is refused ({str(fault).rstrip('.')}; {point.label}: {values}); narrow them, or hold "
+            "one of these parameters with --hold.", fault.code) from None
 
 
 def make_plan(options, program, base, ranges, out):
-    """Points; of a plan that is refused nothing is left."""
+    """Shares and points; of a plan that is refused nothing is left."""
     shares = shares_of(options, ranges)
     new = not out.exists()
-    make_folder(out / INPUTS)
     try:
         return shares, make_points(options, program, base, ranges, shares, out)
     except Fault:
@@ -219,6 +241,7 @@ def run(words):
     plan.check_out(out, base, RECORD, "a study")
     with named(pathlib.Path(options.deck).name):
         shares, points = make_plan(options, program, base, ranges, out)
+        make_folder(out)
         place(out / RANGES, ranges_as_csv(ranges))
         write_record(out, record_of(options, base, ranges, points))
         jobs = jobs_of(options, len(points))

@@ -18,9 +18,41 @@ def rows_in(text):
     return head, [float(word) for word in body.rstrip("} ").split(",")]
 
 
-def with_jet(base, velocity, radius):
-    """The effective deck with a jet of other velocities and radii from the same origin: slugs keep their length and follow in times that are
-    shorter by the factor of velocity. Cells stay as they are, so they count as many fewer per radius."""
+def cells_of(deck):
+    return float(value_in(deck, "Grid/Cell Size"))
+
+
+def with_cells(deck, size):
+    """The effective deck with cells of another size; None leaves them open."""
+    root = xml.fromstring(deck)
+    grid = next(one for one in root if one.get("name") == "Grid")
+    entry = next(one for one in grid if one.get("name") == "Cell Size")
+    if size is None:
+        grid.remove(entry)
+    else:
+        entry.set("value", repr(size))
+    return xml.tostring(root, encoding="unicode") + "\n"
+
+
+def cells_for_all(base, least, effective):
+    """Size of cells that the thinnest jet needs, where the deck leaves it open; else the deck's. All runs then have the same cells.
+
+    Parameters
+    ----------
+    least : float
+        Smallest factor of radius.
+    effective : callable
+        Effective deck of the text of a deck.
+    """
+    if least >= 1.0 or cells_of(effective(with_cells(base, None))) != cells_of(base):
+        return cells_of(base)
+    return cells_of(effective(with_cells(with_jet(base, 1.0, least, least), None)))
+
+
+def with_jet(base, velocity, radius, least=1.0):
+    """The effective deck with a jet of other velocities and radii from the same origin: slugs keep their length and follow in times that
+    are shorter by the factor of velocity. Cells along the path are those of the jet with the least radius: their number per
+    radius grows."""
     root = xml.fromstring(base)
     jet = next(one for one in root if one.get("name") == "Jet")
     entries = {entry.get("name"): entry for entry in jet if entry.tag == "Parameter"}
@@ -28,7 +60,7 @@ def with_jet(base, velocity, radius):
     factors = (1.0 / velocity, velocity, radius, 1.0, 1.0)
     scaled = ", ".join(repr(number * factors[i % 5]) for i, number in enumerate(numbers))
     entries["Slugs"].set("value", f"{head}{{{scaled}}}")
-    for name, factor in (("Pieces Below", velocity), ("Cells Per Radius", radius * ROUNDED)):
+    for name, factor in (("Pieces Below", velocity), ("Cells Per Radius", radius / least * ROUNDED)):
         if name in entries and float(entries[name].get("value")) > 0.0:
             entries[name].set("value", repr(float(entries[name].get("value")) * factor))
     return xml.tostring(root, encoding="unicode") + "\n"
@@ -44,8 +76,8 @@ def check_jet(base, ranges):
     surfaces = [f"{owner}/{name}" for owner in ("Shapes", "Bodies") for name in lists_in(base, owner)
         if value_in(base, f"{owner}/{name}/File") is not None]
     if surfaces:
-        raise Fault(f"{varied.where()}: the deck has a surface from a file ({surfaces[0]}), and decks with other jets are written elsewhere, "
-            "where that file is not found; write --hold Jet.")
+        raise Fault(f"{varied.where()}: the deck has a surface from a file ({surfaces[0]}), and decks with other jets are written "
+            "elsewhere, where that file is not found; write --hold Jet.")
 
 
 def factors_of(values):
@@ -54,8 +86,8 @@ def factors_of(values):
 
 
 def tied_settings(base, values):
-    """The shear modulus of unstressed rock follows its bulk modulus and Poisson's ratio, as the program demands: moduli must not jump at zero
-    pressure.  @param values  {path: number}, SI"""
+    """The shear modulus of unstressed rock follows its bulk modulus and Poisson's ratio, as the program demands: moduli must not jump at
+    zero pressure.  @param values  {path: number}, SI"""
     settings = []
     for material in lists_in(base, "Materials"):
         path = f"Materials/{material}/"

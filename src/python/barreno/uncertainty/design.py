@@ -16,9 +16,10 @@ def least_runs(design, ranges):
 def check_count(design, ranges, runs):
     least = least_runs(design, ranges)
     if runs < least:
-        why = "one for each range, one for the mean and two for the scatter" if design == LATIN else "both ends of each range and the middle"
-        raise Fault(f"--runs {runs} is too few for {ranges} ranges (--design {design} needs {least}: {why}); give --runs {least}, or hold some "
-            "parameters with --hold.")
+        latin_needs = "one for each range, one for the mean and two for the scatter"
+        why = latin_needs if design == LATIN else "both ends of each range and the middle"
+        raise Fault(f"--runs {runs} is too few for {ranges} ranges (--design {design} needs {least}: {why}); give --runs {least}, or hold "
+            "some parameters with --hold.")
 
 
 def middle_of(one):

@@ -59,8 +59,8 @@ def fitted_ranges(file, material):
         return [Range(f"Materials/{material}/{name}", f"{low:.6g}", f"{high:.6g}", "fitted", f"{file.name}, 95 % range",
             f'{file}, "{name}"') for name, low, high in entries]
     except (OSError, ValueError, LookupError, TypeError) as error:
-        raise Fault(f"{file} does not hold the ranges that fit writes ({error}); make the card again with barreno fit, or move the file away.",
-            FILE) from None
+        raise Fault(f"{file} does not hold the ranges that fit writes ({error}); make the card again with barreno fit, or move the "
+            "file away.", FILE) from None
 
 
 def is_of_fit(file):
@@ -119,8 +119,9 @@ def drop_changed(ranges, options, say):
         if one.path in fixed:
             say(f"{one.path} is held: --set fixes it.")
         elif one.path not in FACTORS and (one.own is None or not one.low <= one.own <= one.high):
-            say(f"{one.path} is held: the deck's value {one.own if one.own is None else format(one.own, 'g')} lies outside of the known range, "
-                f"{one.text()}.")
+            own = "none" if one.own is None else format(one.own, "g")
+            say(f"{one.path} is held: the deck's value {own} lies outside of the known "
+                f"range, {one.text()}.")
         else:
             kept.append(one)
     return kept

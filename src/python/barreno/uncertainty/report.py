@@ -74,7 +74,8 @@ def sentence(answer, ranges):
         counted = f"the error of the cells is not in it: {answer.cells_unknown}"
     named = contributors(answer, ranges)
     most = f"of its variance {list_of(named)}" if named else "no range stands out from the scatter"
-    return f"{answer.words[0].upper()}{answer.words[1:]} {median}{unit}, {interval_text(answer, best)}{unit} at {percent(LEVEL)} ({counted}); {most}."
+    head = f"{answer.words[0].upper()}{answer.words[1:]} {median}{unit}"
+    return f"{head}, {interval_text(answer, best)}{unit} at {percent(LEVEL)} ({counted}); {most}."
 
 
 def doubts(answer):
@@ -82,23 +83,24 @@ def doubts(answer):
     foretold = answer.runs.foretold
     if foretold is None or foretold >= FAIR:
         return []
-    return [f"{answer.words}: straight effects of the ranges foretell {percent(max(foretold, 0.0))} of the variance of runs that they were not "
-        "made of, so the shares say little; more runs (--runs) or fewer ranges (--hold) help, and so does --design one-at-a-time where answers "
-        "bend."]
+    return [f"{answer.words}: straight effects of the ranges foretell {percent(max(foretold, 0.0))} of the variance of runs that they "
+        "were not made of, so the shares say little; more runs (--runs) or fewer ranges (--hold) help, and so does --design one-at-a-time "
+        "where answers bend."]
 
 
 def method_lines(design, count):
     if design != LATIN:
         return ["One at a time: interactions and scatter are not in the intervals and shares."]
-    return [f"Shares in brackets: no more than scatter may give. Least and largest of {count} runs hold {percent(LEVEL)} of all cases with a "
-        f"confidence of {percent(confidence_of_span(count))}."]
+    return [f"Shares in brackets: no more than scatter may give. Least and largest of {count} runs hold {percent(LEVEL)} of all cases "
+        f"with a confidence of {percent(confidence_of_span(count))}."]
 
 
 def lines_of(answers, ranges, design, count):
     if not answers:
         return ["No answer can be looked at."]
     remarks = [doubt for answer in answers for doubt in doubts(answer)]
-    return [*answer_table(answers), "", *share_table(answers, ranges), "", *method_lines(design, count), *remarks, sentence(answers[0], ranges)]
+    remarks = [*method_lines(design, count), *remarks, sentence(answers[0], ranges)]
+    return [*answer_table(answers), "", *share_table(answers, ranges), "", *remarks]
 
 
 def spread_numbers(spread, ranges):

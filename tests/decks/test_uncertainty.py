@@ -1,0 +1,218 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""`barreno uncertainty` from the outside: what it writes of real runs, against numbers made anew from their summaries; that a study
+which was stopped goes on; both designs; ranges of a card; runs that fail; and a sentence for every bad input.
+
+    test_uncertainty.py BARRENO
+"""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy
+
+from barreno.runs.csv_table import WORDS, read_csv
+from barreno.runs.effective_deck import value_in
+from barreno.runs.run_folder import deck_in
+from python_commands import process_of, said_by
+from tools.runs import DECKS
+
+QUICK = DECKS / "perforation_quick.xml"
+CARDS = DECKS.parent / "materials" / "cards"
+TARGET = ("--set", "Grid/Upper={80 mm, 90 mm}", "--set", "Bodies/Rock/Upper={50.8 mm, 72.7 mm}")
+SHORT = (*TARGET, "--set", "Time/End Time=2 us")
+RANGES = ("--vary", "Jet/Velocity=0.9..1.1", "--vary", "Materials/Steel/A=500..1500 MPa")
+DEPTH = "penetration.depth"
+
+
+def uncertainty(*words, **more):
+    return said_by("barreno.uncertainty", *words, **more)
+
+
+def record_of(out):
+    return json.loads((out / "uncertainty.json").read_text())
+
+
+def how_of(out):
+    return [run["how"] for run in record_of(out)["runs"]]
+
+
+def summaries(out):
+    return [json.loads((pathlib.Path(run["folder"]) / "summary.json").read_text()) for run in record_of(out)["runs"]]
+
+
+def wait_for(condition, what):
+    until = time.monotonic() + 120
+    while not condition():
+        assert time.monotonic() < until, f"waited in vain for {what}"
+        time.sleep(0.02)
+
+
+def check_stopped(folder):
+    """A signal ends the runs; the same command goes on, and leaves what a study in one go would."""
+    out = folder / "study"
+    words = (QUICK, *SHORT, *RANGES, "--runs", "6", "--jobs", "1", "--out", out)
+    with subprocess.Popen(**process_of("barreno.uncertainty", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+        wait_for(lambda: list(out.glob("run-02-*/run.log")), "the second run")
+        os.kill(child.pid, signal.SIGINT)
+        _, said = child.communicate(timeout=60)
+    assert child.returncode == 130 and "of 6 runs finished; the same command continues" in said and said.count("\n") == 1, said
+    assert "answers" not in record_of(out) and not (out / "tornado.png").exists()
+    said = uncertainty(*words)
+    assert how_of(out)[0] == "reused" and set(how_of(out)[2:]) == {"computed"}, how_of(out)
+    names = sorted(file.name for file in out.iterdir() if not file.name.startswith("run-"))
+    assert names == ["inputs", "ranges.csv", "tornado.png", "uncertainty.csv", "uncertainty.json"], names
+    assert (out / "tornado.png").read_bytes()[:4] == b"\x89PNG"
+    return out, said
+
+
+def check_numbers(out, said):
+    """Effects, shares and interval, from the summaries and the decks of the runs alone."""
+    record, found = record_of(out), summaries(out)
+    depths = numpy.array([summary["penetration"]["depth"] for summary in found])
+    velocity = [float(value_in(deck_in(pathlib.Path(run["folder"])), "Jet/Slugs").partition("{")[2].split(",")[1]) / 7830.0
+        for run in record["runs"]]
+    strength = [float(value_in(deck_in(pathlib.Path(run["folder"])), "Materials/Steel/A")) for run in record["runs"]]
+    assert len(set(velocity)) == len(set(strength)) == 6 and 0.9 < min(velocity) and max(velocity) < 1.1, velocity
+    magnitude = numpy.log(numpy.array(strength) / 5e8) / numpy.log(3.0)
+    z = numpy.column_stack([numpy.ones(6), (numpy.array(velocity) - 1.0) / 0.1, 2.0 * magnitude - 1.0])
+    b, rest, *_ = numpy.linalg.lstsq(z, depths, rcond=None)
+    answer = record["answers"][DEPTH]
+    effects = answer["ranges"]["effects"]
+    assert list(effects) == ["Jet/Velocity", "Materials/Steel/A"] and record["ranges"][1]["drawn_in_logarithm"], effects
+    assert numpy.allclose([one["at_high"] for one in effects.values()], b[1:], rtol=1e-3, atol=1e-7), (effects, b)
+    shares = [one["share"] for one in effects.values()]
+    assert abs(sum(shares) + answer["ranges"]["rest"] - 1.0) < 1e-9 and shares[0] > 0.9, shares
+    spread = answer["ranges"]
+    assert spread["low"] < min(depths) + 0.1 * b[1] and spread["high"] > max(depths) - 0.1 * b[1], spread
+    assert answer["largest"] == max(depths) and answer["least"] == min(depths)
+    near_even = 0.9 * b[1]  # a single even range
+    assert abs(0.5 * (spread["high"] - spread["low"]) - near_even) < 0.15 * near_even, (spread, b)
+    errors = [summary["penetration"]["depth_error"] for summary in found]
+    assert all("value" in error for error in errors) and answer["cells_unknown"] == ""
+    assert answer["with_cells"]["high"] > max(depths / (1.0 + max(error["low"] for error in errors))) - 0.2 * b[1] > spread["high"]
+    (sentence,) = [line for line in said.splitlines() if line.startswith("Depth ")]
+    assert sentence == answer["sentence"] and "at 90 %" in sentence and "from Jet/Velocity" in sentence, sentence
+    table = read_csv(out / "uncertainty.csv", cells=WORDS).to_dict("records")
+    assert [float(row[DEPTH]) for row in table] == list(depths)
+    named = {row["deck"] for row, how in zip(table, how_of(out)) if how != "resumed"}  # a resumed run names the deck in its folder
+    assert named == {"perforation_quick.xml"}, named
+    assert [float(row["Materials/Steel/A"]) for row in table] == strength
+
+
+def check_goes_on(out):
+    """Other ranges take what is there; another deck is left alone; the ranges come back as a file."""
+    before = {file: file.stat().st_mtime_ns for file in out.glob("run-*/summary.json")}
+    said = uncertainty(QUICK, *SHORT, "--ranges", out / "ranges.csv", "--runs", "6", "--out", out)
+    assert set(how_of(out)) == {"reused"} and {file: file.stat().st_mtime_ns for file in before} == before, said
+    found = uncertainty(QUICK, *TARGET, "--set", "Time/End Time=3 us", *RANGES, "--runs", "6", "--out", out, code=2)
+    assert "holds a study of another deck" in found and found.count("\n") == 1, found
+    strange = out.parent / "strange"
+    strange.mkdir()
+    (strange / "a.txt").write_text("")
+    found = uncertainty(QUICK, *SHORT, *RANGES, "--out", strange, code=2)
+    assert "holds something else (a.txt, and no uncertainty.json)" in found, found
+    assert [file.name for file in strange.iterdir()] == ["a.txt"]
+
+
+def check_one_at_a_time(folder):
+    """The deck as it is, then both ends of each range; without a factor of the jet no other decks are written."""
+    out = folder / "single"
+    both = ("--vary", "Materials/Steel/Density=7000..9000", "--vary", "Materials/Steel/A=500..1000 MPa")
+    said = uncertainty(QUICK, *SHORT, *both, "--design", "one-at-a-time", "--runs", "5", "--quantity", "balances.energy.plastic", "--quantity", "balances.nothing", "--out", out)
+    record = record_of(out)
+    assert [run["values"] for run in record["runs"]] == [[7830.0, 7.92e8], [7000.0, 7.92e8], [9000.0, 7.92e8], [7830.0, 5e8], [7830.0, 1e9]]
+    depths = [summary["penetration"]["depth"] for summary in summaries(out)]
+    density, strength = record["answers"][DEPTH]["ranges"]["effects"].values()
+    changes = [density["at_low"], density["at_high"], strength["at_low"], strength["at_high"]]
+    assert numpy.allclose(changes, numpy.array(depths[1:]) - depths[0])
+    assert density["at_low"] > 0.0 > density["at_high"] and record["answers"][DEPTH]["ranges"]["rest"] is None, density
+    assert "balances.energy.plastic" in record["answers"] and "balances.nothing is left out: 5 of 5 runs have no such number" in said, said
+    assert not (out / "inputs").exists() and "] the middle: depth" in said and "] Steel/A at its high end: depth" in said, said
+
+
+def check_cards(folder):
+    """Both ends of every range that is shipped lie within the bounds of the program, and the moduli that hang together stay so."""
+    materials = {"tungsten": "Tungsten", "berea": "Sandstone"}
+    for file in sorted((CARDS / "ranges").glob("*.csv")):
+        material = next((name for head, name in materials.items() if file.stem.startswith(head)), "Steel")
+        card = ("--set", f"Materials/{material}/Card={file.stem}.xml")
+        found = uncertainty(QUICK, *SHORT, *card, "--runs", "3", "--out", folder / "x", code=1)
+        assert "--runs 3 is too few for" in found and found.count("\n") == 1 and not (folder / "x").exists(), f"{file}: {found}"
+    out = folder / "tied"
+    uncertainty(QUICK, *TARGET, "--set", "Time/End Time=0.2 us", "--vary", "Materials/Sandstone/B0=3..15 GPa", "--runs", "4", "--out", out,
+        "--quantity", "balances.energy.elastic")
+    for run in record_of(out)["runs"]:
+        deck = deck_in(pathlib.Path(run["folder"]))
+        b0, g0 = (float(value_in(deck, f"Materials/Sandstone/{name}")) for name in ("B0", "G0"))
+        assert abs(g0 / b0 - 1.5 * 0.66 / 1.17) < 1e-6 and 3e9 <= b0 <= 15e9, (b0, g0)
+    return out
+
+
+def check_failure(folder):
+    """A run that fails: the others are there, no interval is given where too few are left, and the exit code is its own."""
+    out = folder / "failed"
+    words = (QUICK, *SHORT, "--set", "Materials/Tungsten/Bad Particles=stop", "--vary", "Step/Largest Expansion=1.001..100", "--design",
+        "one-at-a-time", "--runs", "3", "--out", out)
+    found = uncertainty(*words, code=3)
+    assert "of 3 runs have finished, and 3 are needed for 1 ranges; no interval is given." in found, found
+    assert "the run with Step/Largest Expansion at its low end ended with exit code 3" in found, found
+    rows = read_csv(out / "uncertainty.csv", cells=WORDS).to_dict("records")
+    assert [row["state"] for row in rows][1] == "failed" and "finished" in [row["state"] for row in rows], [row["state"] for row in rows]
+    assert "answers" not in record_of(out) and not (out / "tornado.png").exists()
+
+
+BAD = (  # words, exit code, what is said
+    (("--vary", "Materials/Sandstone/CR=0.5..1.2"), 1, '--vary "Materials/Sandstone/CR": the end 1.2 of the range is refused'),
+    (("--vary", "Materials/Sandstone/CRR=0.5..0.6"), 1, "did you mean 'CR'?"),
+    (("--vary", "Materials/Sand/CR=0.5..0.6"), 1, "the deck has no list Sand in Materials; did you mean 'Sandstone'?"),
+    (("--vary", "Materials/Sandstone/CR=0.6"), 1, "is not a range (uncertainty draws between two numbers"),
+    (("--vary", "Materials/Sandstone/CR=0.6..0.5"), 1, "is an empty range"),
+    (("--vary", "Confinement/Pressure=1..2 GPam"), 1, "has an unknown unit 'GPam'"),
+    (("--vary", "Jet/Kind=1..2"), 1, 'its value in the deck is "discrete", which is no number'),
+    (("--vary", "Jet/Velocity=0..1"), 1, "is no factor of the jet"),
+    (("--vary", "Materials/Sandstone/YSLOPE=0.01..0.5", "--vary", "Materials/Sandstone/FSLOPE=0.2..0.6"), 1,
+        "the ranges allow a deck that is refused"),
+    (("--vary", "Confinement/Pressure=1..2 MPa", "--set", "Confinement/Pressure=1 MPa"), 1, "varies what --set or --fidelity fixes"),
+    (("--hold", "Jett"), 1, "--hold Jett names nothing that is varied"),
+    (("--hold", "Jet", "--hold", "Materials", "--hold", "Confinement"), 1, "nothing has a range"),
+    (("--runs", "9"), 1, "--runs 9 is too few for"),
+    (("--set", "Jet=",), 1, "the deck has no jet"),
+    (("--ranges", "nowhere.csv"), 2, "nowhere.csv does not exist (needed as --ranges)"),
+    (("--varry", "A/B=1..2"), 1, "write for example barreno uncertainty"),
+)  # fmt: skip
+
+
+def check_bad(folder):
+    """One sentence, and nothing is written."""
+    out = folder / "bad"
+    for words, code, said in BAD:
+        found = uncertainty(QUICK, *SHORT, *words, "--out", out, code=code)
+        assert said in found and found.count("\n") == 1 and found.endswith((".\n", "?\n")) and not out.exists(), f"{words}: {found}"
+    assert "does not exist (needed as the deck)" in uncertainty("nowhere.xml", code=2)
+    file = folder / "ranges.csv"
+    file.write_text("parameter,low,high,known,source\nMaterials/Sandstone/FSLOPE,-0.5,0.6,assumed,a guess\n")
+    found = uncertainty(QUICK, *SHORT, "--ranges", file, "--out", out, code=1)
+    assert f'{file}, "Materials/Sandstone/FSLOPE": the end -0.5 of the range is refused' in found and "out of bounds" in found, found
+    assert found.count("\n") == 1 and not out.exists()
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        out, said = check_stopped(folder)
+        check_numbers(out, said)
+        check_goes_on(out)
+        for check in (check_one_at_a_time, check_cards, check_failure, check_bad):
+            check(folder)
+    print("barreno uncertainty does as docs/uncertainty.md says")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
