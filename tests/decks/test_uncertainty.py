@@ -124,7 +124,8 @@ def check_one_at_a_time(folder):
     """The deck as it is, then both ends of each range; without a factor of the jet no other decks are written."""
     out = folder / "single"
     both = ("--vary", "Materials/Steel/Density=7000..9000", "--vary", "Materials/Steel/A=500..1000 MPa")
-    said = uncertainty(QUICK, *SHORT, *both, "--design", "one-at-a-time", "--runs", "5", "--quantity", "balances.energy.plastic", "--quantity", "balances.nothing", "--out", out)
+    said = uncertainty(QUICK, *SHORT, *both, "--design", "one-at-a-time", "--runs", "5", "--quantity", "balances.energy.plastic",
+        "--quantity", "balances.nothing", "--out", out)
     record = record_of(out)
     assert [run["values"] for run in record["runs"]] == [[7830.0, 7.92e8], [7000.0, 7.92e8], [9000.0, 7.92e8], [7830.0, 5e8], [7830.0, 1e9]]
     depths = [summary["penetration"]["depth"] for summary in summaries(out)]

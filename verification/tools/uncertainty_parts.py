@@ -22,10 +22,9 @@ def interval(name, spread):
 def answer_row(name, answer):
     unit, factor, digits = unit_of(name)
     whole = interval(name, answer["with_cells"]) if answer["with_cells"] else "unknown"
-    foretold = answer["ranges"]["foretold"]
-    return (f"| {answer['words']}{f' [{unit}]' if unit else ''} | {factor * answer['ranges']['median']:.{digits}f} | "
-        f"{interval(name, answer['ranges'])} | {whole} | {factor * answer['least']:.{digits}f} to {factor * answer['largest']:.{digits}f} "
-        f"| {100.0 * foretold:.0f} % |")
+    foretold, span = answer["ranges"]["foretold"], [f"{factor * answer[end]:.{digits}f}" for end in ("least", "largest")]
+    head = f"| {answer['words']}{f' [{unit}]' if unit else ''} | {factor * answer['ranges']['median']:.{digits}f} | "
+    return f"{head}{interval(name, answer['ranges'])} | {whole} | {' to '.join(span)} | {100.0 * max(foretold, 0.0):.0f} % |"
 
 
 def share_text(effect):

@@ -50,6 +50,7 @@ def draw(file, answers, ranges):
     bars = min(len(ranges), MOST_BARS) + 2
     figure, panels = plt.subplots(lines, columns, figsize=(6.5 * columns, lines * (1.2 + 0.36 * bars)), layout="constrained", squeeze=False)
     for axes, answer in zip(panels.flat, answers):
+        axes.use_sticky_edges = False
         draw_bars(axes, answer, ranges)
         draw_intervals(axes, answer)
         axes.set_xlabel(f"{answer.words} [{answer.unit}]" if answer.unit else answer.words)
