@@ -25,10 +25,15 @@ const char* const exit_codes =
 const char* const other_words =
     "barreno COMMAND --help describes a command in detail. ./barreno of the source tree and "
     "barreno of\n"
-    "an installation also have report FOLDER (pictures and numbers of a run), converge DECK "
-    "(order\n"
-    "and interval of its depth), sweep DECK (several values of its parameters), compare RUN RUN\n"
-    "(runs side by side), fit DATA (a card from laboratory tests) and import-ups FILE.\n\n";
+    "an installation also have report FOLDER (pictures and numbers of a run), film FOLDER, jet "
+    "DECK\n"
+    "(its jet and depths by theory), flow FOLDER (into its hole), converge DECK (order and "
+    "interval of\n"
+    "its depth), sweep DECK (several values of its parameters), uncertainty DECK (how sure its "
+    "depth\n"
+    "is), compare RUN RUN (runs side by side), join FOLDER (files of all ranks), fit DATA (a card "
+    "from\n"
+    "laboratory tests) and import-ups FILE.\n\n";
 
 /// Options of CLI11 back to what this code knows of them.
 using Known = std::map<const CLI::Option*, const OptionPage*>;
@@ -75,7 +80,11 @@ void add_commands(CLI::App& program, Known& known) {
 constexpr std::pair<const char*, const char*> source_commands[] = {
     {"report", "FOLDER"},
     {"film", "FOLDER --field FIELD"},
+    {"jet", "DECK"},
+    {"flow", "FOLDER"},
+    {"join", "FOLDER --out FILE"},
     {"converge", "DECK"},
+    {"uncertainty", "DECK"},
     {"sweep", "DECK --vary \"LIST/NAME=VALUE,VALUE\""},
     {"compare", "RUN RUN"},
     {"fit", "DATA... --out CARD.xml"},
