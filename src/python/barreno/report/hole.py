@@ -50,6 +50,9 @@ class Hole:
     def probed_depth(self, radius):
         """How far a probe comes [m]; crumbs and necks that are no longer than it is wide do not stop it.
 
+        The run measures its own probed_depth in whole cells; where a hole narrows slowly, a neck that one of the two finds too long
+        makes them differ by several per cent.
+
         Parameters
         ----------
         radius : float
