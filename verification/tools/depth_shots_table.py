@@ -10,7 +10,7 @@ DECK = "the deck"
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 # Single runs that should agree differ: of the depth by twice the standard deviation of one that docs/trade.md has where most of it is dug;
-# of the hole as wide as the jet by more, because it narrows slowly and one neck decides: the same run has 481 mm at 300 us, 519 at 380.
+# of the hole as wide as the jet by more, because it narrows slowly and one neck decides: one run has 481, 519, 484 mm at 300, 380, 560 us.
 SCATTER = {"depth": 0.03, "probed depth": 0.05}
 WHAT = ("depth", "probed depth")
 FINER = "bounded/3.2/2+4"  # of depth_at_rest.json, whose times it has up to 280 us
@@ -82,8 +82,9 @@ def trials():
 LATER = "the deck, to 560 us"
 HEAD = """How wide the hole must be decides whether its depth is known. The thread is thinner than the jet. Where the hole is as wide as the
 widest slug, so that a probe of that diameter comes down (`probed_depth` in depth.csv and on the screen), it hardly grows after {rest} us
-({grown}: it narrows slowly, so that one neck decides), and its depth hardly follows the cells. Shots with divided particles at that time (`verification/depth_shots.py BARRENO`; the
-depth, and how far the hole is as wide as the jet [mm]; the interval is that of the program, made from the deck alone):
+({grown}), and its depth hardly follows the cells. It narrows slowly there, so that one neck decides between depths some per cent apart. Shots
+with divided particles at that time (`verification/depth_shots.py BARRENO`; the depth, and how far the hole is as wide as the jet [mm]; the
+interval is that of the program, made from the deck alone):
 """
 
 
