@@ -173,6 +173,12 @@ TEST(ExpansionStrain, BrokenMetalWithLargeVoidsHasNextToNoModulusAndTheSizeOfIts
     ASSERT_FALSE(point.apply(isotropic(0.002), step_time).failed());
   EXPECT_NEAR(modulus_of_mean() / stiff, 0.01, 2e-4);
   EXPECT_EQ(point.history.temperature, temperature) << "voids do not cool";
+  const auto open = point.history;
+  ASSERT_FALSE(point.apply({-0.01, 0.02, 0.0, 0.05, 0.0, 0.0}, step_time).failed());
+  EXPECT_EQ(largest_component(point.stress), 0.0);
+  EXPECT_EQ(point.history.plastic_strain, open.plastic_strain);
+  EXPECT_EQ(point.history.internal_energy, open.internal_energy);
+  EXPECT_EQ(point.history.temperature, temperature) << "nothing is sheared between voids";
   const auto solid = Porous::expanded_ratio<double>(point.volume_ratio, point.history);
   EXPECT_NEAR(solid, 1.0, 0.01);
   // Voids that are not those of breaking, of a porous body: with them, and as stiff as the solid.
@@ -180,6 +186,40 @@ TEST(ExpansionStrain, BrokenMetalWithLargeVoidsHasNextToNoModulusAndTheSizeOfIts
   EXPECT_EQ(Porous::expanded_ratio<double>(20.0, porous.history), 20.0);
   EXPECT_NEAR(20.0 * model.longitudinal_modulus(Sym3{}, porous.history, 20.0) / stiff, 1.0, 0.02);
 }
+
+#if BARRENO_HAS_LANES
+TEST(ExpansionStrain, OpenBrokenMetalDoesNotDependOnTheLanesBesideIt) {
+  const Porous model(spalling_copper(), density);
+  Point<Porous> broken(model);
+  while (broken.history.expansion_strain < 0.3)
+    ASSERT_FALSE(broken.apply(isotropic(0.001), step_time).failed());
+  const Point<Porous> closing = porous_point(model, 1.001);
+  const auto update_with = [&](const Point<Porous>& others) {
+    IncrementOf<Sym3Of<Lanes>> increment{};
+    Sym3Of<Lanes> stress{};
+    Porous::HistoryOf<Lanes> history{};
+    increment.dt = Lanes{} + step_time;
+    increment.viscous_pressure = Lanes{} + 1e8;
+    for (int i = 0; i < lane_count; ++i) {
+      const Point<Porous>& point = i == 0 ? broken : others;
+      const Increment one = point.increment(squeeze(-0.01), step_time);
+      for (int c = 0; c < 6; ++c)
+        reals_of<Lanes>(increment.strain)[c][i] = reals_of<double>(one.strain)[c];
+      increment.volume_ratio_begin[i] = one.volume_ratio_begin;
+      increment.volume_ratio_end[i] = one.volume_ratio_end;
+      for (int c = 0; c < Porous::history_count; ++c)
+        reals_of<Lanes>(history)[c][i] = reals_of<double>(point.history)[c];
+    }
+    const auto outcome = model.update_points(increment, stress, history);
+    std::vector<double> first{outcome.longitudinal_modulus[0]};
+    for (int c = 0; c < Porous::history_count; ++c) first.push_back(reals_of<Lanes>(history)[c][0]);
+    for (int c = 0; c < 6; ++c) first.push_back(reals_of<Lanes>(stress)[c][0]);
+    EXPECT_NE(outcome.sound[0], 0);
+    return first;
+  };
+  EXPECT_EQ(update_with(broken), update_with(closing));
+}
+#endif
 
 TEST(ExpansionStrain, WithoutVoidsTheUpdateIsTheMetals) {
   const Porous model(spalling_copper(), density);

@@ -30,8 +30,11 @@ struct MirrorSums {
   Patch patch;
   ArrayView<TileFrame> tile_frame;
   ArrayView<double> sums, mirrored;
+  Nodes nodes;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
+    // Nothing is left behind planes of kept sums; those across y have more to tell of them.
+    if (!planes.any_axial && nodes.keeps_sums(tile)) return;
     if (planes.any_axial)
       for (std::size_t i = 0; i < 2; ++i) mirrored(first_mirrored(tile) + i) = 0.0;
     for (int i = 0; i < planes.count; ++i) {
@@ -119,7 +122,7 @@ struct MirrorVelocities {
           before -= 2.0 * mass * (from[1] - change);
         }
     );
-    enter(impulse, before, share, tally);
+    if (plane.axis == 1) enter(impulse, before, share, tally);
   }
 
   /// The motion of a node behind a plane is its image's, mirrored.
@@ -150,7 +153,7 @@ void mirror_sums(const SymmetryPlanes& planes, const Grid& grid, Nodes& nodes) {
   launch(
       "mirror_sums",
       range(grid.active),
-      MirrorSums{planes, grid.patch, grid.tile_frame, nodes.sums, nodes.mirrored}
+      MirrorSums{planes, grid.patch, grid.tile_frame, nodes.sums, nodes.mirrored, nodes}
   );
 }
 

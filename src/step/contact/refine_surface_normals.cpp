@@ -21,40 +21,27 @@ constexpr double spreads[] = {40.0 / 360.0 * two_pi, 10.0 / 360.0 * two_pi, 2.5 
 /// By how much another direction must be better [smallest cells of the grid].
 constexpr double margin = 1e-3;
 
-template <class M, class S>
-struct FindReach {
-  static constexpr unsigned extent = M::dimensions;
-  static constexpr int dimensions = M::dimensions;
-  static constexpr int count = Directions<extent>::count;
-  Patch patch;
+/// What particles of one of two fields reach along the directions about the normals of nodes.
+template <unsigned D>
+struct ReachOfParticle {
+  static constexpr int dimensions = D;
   NodeCopies copies;
-  Directions<extent> directions;
-  ParticlesAtNodes<M, S> particles;
-  unsigned bits;  ///< of both fields
-  bool second;    ///< the set belongs to the second one
-  ArrayView<unsigned char> shared_tile, fields;
-  ArrayView<double> normal, reach;
+  Directions<D> directions;
+  bool second;  ///< the particle belongs to the second field
 
-  KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
-    if (shared_tile(tile) == 0) return;
-    constexpr int normals = normal_components(dimensions);
-    const double* const n = &normal(first_value(patch, tile, normals));
-    double* const out = &reach(first_value(patch, tile, 2 * count));
-    particles.for_each(tile, [&](const ParticleEllipse<extent>& ellipse, int slot, double /*s*/) {
-      if ((fields(tile * patch.size + slot) & bits) == bits)
-        extend(ellipse, slot, n + slot * normals, out + slot * 2 * count);
-    });
-  }
-  KOKKOS_INLINE_FUNCTION void extend(
-      const ParticleEllipse<extent>& ellipse, int slot, const double* n, double* out
+  /// Once for all shape functions, which are inlined: compiling it takes long.
+  /// @param n    the normal of the node of this slot
+  /// @param out  top of the first field and bottom of the second along each direction
+  [[gnu::noinline]] KOKKOS_FUNCTION void extend(
+      const ParticleEllipse<D>& ellipse, int slot, const double* n, double* out
   ) const {
     int at[3];
     copies.position(slot, at);
-    double from_node[extent];
+    double from_node[D];
     for (int d = 0; d < dimensions; ++d) from_node[d] = ellipse.x[d] - at[d];
-    double direction[extent][Directions<extent>::all];
-    double along[Directions<extent>::all], own[Directions<extent>::all];
-    directions.find_all(typename Directions<extent>::About(n), direction);
+    double direction[D][Directions<D>::all];
+    double along[Directions<D>::all], own[Directions<D>::all];
+    directions.find_all(typename Directions<D>::About(n), direction);
     const int different = directions.different;
     for (int k = 0; k < different; ++k) {
       along[k] = 0.0;
@@ -65,6 +52,30 @@ struct FindReach {
       out[2 * k + 1] = real::smaller(along[k] - own[k], out[2 * k + 1]);
     for (int k = 0; !second && k < different; ++k)
       out[2 * k] = real::larger(along[k] + own[k], out[2 * k]);
+  }
+};
+
+template <class M, class S>
+struct FindReach {
+  static constexpr unsigned extent = M::dimensions;
+  static constexpr int dimensions = M::dimensions;
+  static constexpr int count = Directions<extent>::count;
+  Patch patch;
+  ReachOfParticle<extent> of_particle;
+  ParticlesAtNodes<M, S> particles;
+  unsigned bits;  ///< of both fields
+  ArrayView<unsigned char> shared_tile, fields;
+  ArrayView<double> normal, reach;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
+    if (shared_tile(tile) == 0) return;
+    constexpr int normals = normal_components(dimensions);
+    const double* const n = &normal(first_value(patch, tile, normals));
+    double* const out = &reach(first_value(patch, tile, 2 * count));
+    particles.for_each(tile, [&](const ParticleEllipse<extent>& ellipse, int slot, double /*s*/) {
+      if ((fields(tile * patch.size + slot) & bits) == bits)
+        of_particle.extend(ellipse, slot, n + slot * normals, out + slot * 2 * count);
+    });
   }
 };
 
@@ -183,11 +194,9 @@ void find_reach(const PairSurfaces& of, const Directions<M::dimensions>& directi
         range(grid.active),
         FindReach<M, S>{
             grid.patch,
-            NodeCopies(grid),
-            directions,
+            {NodeCopies(grid), directions, particles.field == of.pair.b},
             ParticlesAtNodes<M, S>(grid, of.contact.passes_up, particles),
             bits_of(of.pair),
-            particles.field == of.pair.b,
             of.contact.shared_tile,
             of.contact.fields,
             of.normal,

@@ -182,6 +182,78 @@ struct SolveVelocity {
     return rule.damping == 0.0 && node[impedance_component] == 0.0;
   }
 
+  /// Whether nodes of a tile follow from their sums alone, but for impedances: no condition, no
+  /// contact and no drag.
+  KOKKOS_INLINE_FUNCTION bool is_free(int tile) const {
+    if (rule.damping != 0.0 || (shared_tile.extent(0) > 0 && shared_tile(tile) != 0)) return false;
+    const TilePosition at = tile_frame(tile).position;
+    for (int i = 0; i < rule.conditions.count; ++i) {
+      const NodeCondition& c = rule.conditions.list[i];
+      int node[3] = {};
+      node[c.axis] = at[c.axis] * patch.tile_cells - patch.reach + (c.lower ? 0 : patch.nodes - 1);
+      if (c.holds(node, at.level)) return false;
+    }
+    return true;
+  }
+  KOKKOS_INLINE_FUNCTION bool resists(const double* row) const {
+    bool found = false;
+    for (int x = 0; x < patch.nodes; ++x)
+      found |= row[x * sum_components + impedance_component] != 0.0;
+    return found;
+  }
+
+  /// solve_node and tally_node where no impedance acts on a row of a free tile.
+  KOKKOS_INLINE_FUNCTION void solve_free_row(
+      int tile,
+      int row,
+      const unsigned char* taken,
+      const double* total,
+      const NodeScales& scales,
+      double (&part)[tally_components][2]
+  ) const {
+    constexpr int width = motion_components(dimensions);
+    const double dt = tile_frame(tile).part;
+    double* const moved = &motion(first_motion(patch, tile)) + row * width;
+    for (int x = 0; x < patch.nodes; ++x) {
+      const double* const node = total + x * sum_components;
+      double* const out = moved + x * width;
+      const double inverse = node[0] > 0.0 ? 1.0 / node[0] : 0.0;
+      for (int d = 0; d < dimensions; ++d) {
+        const double before = node[1 + d] * inverse;
+        out[d] = before + dt * node[first_force(dimensions) + d] * inverse;
+        out[dimensions + d] = out[d] - before;
+      }
+      for (int d = 2 * dimensions; d < width; ++d) out[d] = 0.0;
+    }
+    const unsigned char* const counted = &counts(tile * patch.size + row);
+    for (int x = 0; x < patch.nodes; ++x) {
+      const double* const node = total + x * sum_components;
+      if (taken != nullptr && taken[x] != 0)
+        take_from_parent(tile, row + x, moved + x * width);
+      else if (counted[x] != 0 && node[0] > 0.0)
+        tally_free_node(dt, node, moved + x * width, scales, part);
+    }
+  }
+  KOKKOS_INLINE_FUNCTION void tally_free_node(
+      double dt,
+      const double* node,
+      const double* motion_of_node,
+      const NodeScales& scales,
+      double (&part)[tally_components][2]
+  ) const {
+    const double inverse = 1.0 / node[0];
+    double before = 0.0, after = 0.0, power = 0.0;
+    for (int d = 0; d < dimensions; ++d) {
+      const double v = motion_of_node[d], v_n = node[1 + d] * inverse;
+      before += v_n * v_n;
+      after += v * v;
+      power += node[first_force(dimensions) + d] * (v_n + v);
+    }
+    add_split(0.5 * node[0] * before, scales.energy, part[0]);
+    add_split(0.5 * node[0] * after, scales.energy, part[1]);
+    add_split(0.5 * dt * power, scales.energy, part[2]);
+  }
+
   /// Sums of a row of nodes. Without branches for the compiler to vectorise.
   KOKKOS_INLINE_FUNCTION bool are_zero(const double* row) const {
     int others = 0;
@@ -216,6 +288,7 @@ struct SolveVelocity {
       int tile,
       int y,
       int z,
+      bool free,
       const PrescribedVelocities& velocities,
       const NodeScales& scales,
       double (&part)[tally_components][2]
@@ -226,17 +299,21 @@ struct SolveVelocity {
       rest_row(tile, row);
       return false;
     }
+    const TilePosition at = tile_frame(tile).position;
+    const unsigned char* const taken =
+        at.level > 0 ? &from_parent(tile * patch.size + row) : nullptr;
+    if (free && !resists(total)) {
+      solve_free_row(tile, row, taken, total, scales, part);
+      return false;
+    }
     double* const moved = &motion(first_motion(patch, tile)) + row * motion_components(dimensions);
     constexpr int impulses = impulse_components(dimensions);
     const double* const contact =
         shared_tile.extent(0) > 0 && shared_tile(tile) != 0
             ? &impulse(first_value(patch, tile, impulses)) + row * impulses
             : nullptr;
-    const TilePosition at = tile_frame(tile).position;
     const double dt = tile_frame(tile).part;
     const double share = rule.grid_share(dt);
-    const unsigned char* const taken =
-        at.level > 0 ? &from_parent(tile * patch.size + row) : nullptr;
     NodePlace place{{}, at.level};
     for (int d = 0; d < 3; ++d) place.index[d] = at[d] * patch.tile_cells - patch.reach;
     place.index[1] += y;
@@ -284,10 +361,11 @@ struct SolveVelocity {
     if (!counts_nothing) {
       const NodeScales scales = rule.scales(tile_frame(tile).cell_size, tile_frame(tile).part);
       const PrescribedVelocities velocities = rule.conditions.over_step(tile_frame(tile).part);
+      const bool free = is_free(tile);
       bool prescribed = false;
       for (int z = 0; z < patch.nodes_along(2); ++z)
         for (int y = 0; y < patch.nodes; ++y)
-          prescribed |= solve_row(tile, y, z, velocities, scales, part);
+          prescribed |= solve_row(tile, y, z, free, velocities, scales, part);
       counts_nothing =
           dormant.enter(tile, &motion(first_motion(patch, tile)), prescribed || contact_acts(tile));
     }

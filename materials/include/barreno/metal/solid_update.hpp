@@ -67,17 +67,19 @@ struct SolidUpdate {
   BARRENO_FUNCTION R modulus(
       const R& pressure, const R& volume_ratio, const Reference& at, const MaskOf<R>& broken
   ) const {
-    const double bulk = eos.bulk_modulus();
-    const double shear_part = 4.0 / 3.0 * shear_modulus;
     // The isentropic modulus falls to zero at a tension of order K / Gamma0: keep a positive speed.
     constexpr double floor_fraction = 0.01;
     const R isentropic = eos.isentropic_modulus(R(1.0 - volume_ratio), at, pressure);
-    const R closed = real::larger(isentropic, floor_fraction * bulk);
+    const R closed =
+        4.0 / 3.0 * shear_modulus + real::larger(isentropic, floor_fraction * eos.bulk_modulus());
     const MaskOf<R> open = broken & (pressure <= 0.0);
-    if (!real::any(open)) return shear_part + closed;
-    // An open broken point bears nothing; the modulus it will have when it closes keeps the step
-    // safe.
-    return shear_part + real::select(open, bulk * real::smaller(volume_ratio, 1.0), closed);
+    return real::any(open) ? R(real::select(open, open_modulus(volume_ratio), closed)) : closed;
+  }
+  /// The same of an open broken point, which bears nothing: the modulus it will have when it closes
+  /// keeps the step safe.
+  template <class R>
+  BARRENO_FUNCTION R open_modulus(const R& volume_ratio) const {
+    return 4.0 / 3.0 * shear_modulus + eos.bulk_modulus() * real::smaller(volume_ratio, 1.0);
   }
 
 private:

@@ -247,6 +247,17 @@ struct Metal {
 
 protected:
   double inverse_density() const { return update_.inverse_density; }
+  /// update_points() of broken metal that bears nothing over a step that leaves it as it is.
+  template <class R>
+  BARRENO_FUNCTION PointsOutcome<R> leave_open(
+      const IncrementOf<Sym3Of<R>>& increment, const Sym3Of<R>& stress, const HistoryOf<R>& history
+  ) const {
+    return {
+        update_.template admissible<R>(increment, stress, history),
+        R{},
+        R{},
+        update_.open_modulus(increment.volume_ratio_end)};
+  }
 
 private:
   Parameters p_;

@@ -16,7 +16,7 @@ namespace barreno {
 ///   1. e_v > 0, d < 0: the voids close by c = min(e_v, -d), e_v -= c, at stress 0 and without
 ///      plastic work. e_v > 0, d >= 0: e_v += d, and nothing else happens.
 ///   2. The share 1 - c/(-d) of the strain, volume and deviator, and of the time goes to the metal;
-///      at a share of 0 the stress stays 0.
+///      at a share of 0 the stress stays 0, and broken metal keeps its state but for the heat of 4.
 ///   3. Where the metal breaks in tension, or is broken and opens, its pressure is 0 and what it
 ///      has grown beyond its volume at no pressure goes to e_v.
 ///   4. The artificial viscosity q, found with the mean density, acts in the voids too; all of its
@@ -109,11 +109,21 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
     // Nothing is added where the metal takes the whole step: then both changes are the same.
     const R heat = increment.viscous_pressure * (whole - of_metal);
     this->correct_energy(history, R(heat * this->inverse_density()), end);
-    Sym3Of<R> s = stress;
-    PointsOutcome<R> outcome = Solid::update_points(share.increment, s, end);
-    s = select_points(share.closed, s, Sym3Of<R>{});
-    const R opened =
-        real::select(share.closed, this->opening(share.increment.volume_ratio_end, s, end), 0.0);
+    // Broken metal whose voids stay open: most of the debris that lies in a hole.
+    const MaskOf<R> idle = (!share.closed) & Failure::template broken<R>(history);
+    PointsOutcome<R> outcome = this->leave_open(share.increment, stress, history);
+    Sym3Of<R> s{};
+    R opened{};
+    if (!real::all(idle)) {
+      HistoryOf<R> moved = end;
+      s = stress;
+      outcome = select_points(idle, outcome, Solid::update_points(share.increment, s, moved));
+      s = select_points(share.closed, s, Sym3Of<R>{});
+      opened = real::select(
+          share.closed, this->opening(share.increment.volume_ratio_end, s, moved), 0.0
+      );
+      put_where<R>(!idle, moved, end);
+    }
     end.expansion_strain = share.void_strain + opened;
     outcome.sound = outcome.sound & (history.expansion_strain >= 0.0) &
                     real::is_finite(end.expansion_strain) & (increment.dt >= 0.0);
@@ -121,9 +131,7 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
     outcome.plastic_work = real::select(share.closed, outcome.plastic_work, 0.0);
     outcome.longitudinal_modulus = outcome.longitudinal_modulus * stiff_share<R>(end);
     stress = select_points(outcome.sound, s, stress);
-    for (int i = 0; i < history_count; ++i)
-      reals_of<R>(history)[i] =
-          real::select(outcome.sound, reals_of<R>(end)[i], reals_of<R>(history)[i]);
+    put_where<R>(outcome.sound, end, history);
     return outcome;
   }
 
@@ -148,6 +156,13 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
   }
 
 private:
+  template <class R>
+  BARRENO_FUNCTION static void put_where(
+      const MaskOf<R>& choice, const HistoryOf<R>& from, HistoryOf<R>& to
+  ) {
+    for (int i = 0; i < history_count; ++i)
+      reals_of<R>(to)[i] = real::select(choice, reals_of<R>(from)[i], reals_of<R>(to)[i]);
+  }
   /// update_points() where no point has voids: the metal's, and what opens.
   template <class R>
   BARRENO_FUNCTION PointsOutcome<R> update_solid(
