@@ -4,6 +4,8 @@
 
     depth_shots.py BARRENO [--cells N ...] [SHOT ...]    all shots, or those named; 1.2 and 1.8 cells in the radius of the jet's tip
                                                          or those given: verification/results/depth_shots.json, and docs/trade.md
+    depth_shots.py BARRENO --courant [--cells N ...]     the deck with steps a little shorter or longer, for the scatter of runs that
+                                                         should agree: verification/results/depth_scatter.json, and docs/trade.md
 
 Decks: perforation_at_rest.xml with divided particles of the jet, and what tools/depth_shots.py changes in it, until the hole as wide as the
 jet no longer grows. Minutes of one core each with 1.2 cells, half an hour with 2.4.
@@ -19,7 +21,10 @@ from tools.penetration import between_particles_and_grid
 from tools.runs import run_deck
 from tools.write_pages import write_pages
 
-STORED = pathlib.Path(__file__).resolve().parent / "results" / "depth_shots.json"
+RESULTS = pathlib.Path(__file__).resolve().parent / "results"
+STORED = RESULTS / "depth_shots.json"
+SCATTER = RESULTS / "depth_scatter.json"
+COURANT = ("0.8", "0.795", "0.79", "0.785", "0.78", "0.775", "0.77", "0.765")
 DIVIDED = {"Jet/Particles Per Cell": "2", "Jet/Splits": "4", "Output/Field Interval": "0 us"}
 
 
@@ -75,16 +80,29 @@ def keep(shot, cells, one):
     STORED.write_text(json.dumps(runs, indent=1) + "\n")
 
 
+def keep_scatter(cells, courant, one):
+    """Depths of one of several runs that should agree."""
+    print(cells, courant, one["probed_depth"], flush=True)
+    found = json.loads(SCATTER.read_text()) if SCATTER.exists() else {}
+    found.setdefault(cells, {})[courant] = {name: one[name] for name in ("depth", "probed_depth", "channel_volume", "lost", "cpu_seconds")}
+    SCATTER.write_text(json.dumps(found, indent=1, sort_keys=True) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", type=pathlib.Path)
     parser.add_argument("--cells", nargs="+", default=["1.2", "1.8"])
+    parser.add_argument("--courant", action="store_true")
     parser.add_argument("what", nargs="*", metavar="SHOT")
     options = parser.parse_args()
     unknown = [what for what in options.what if what not in SHOTS]
     if unknown:
         parser.error(f"there is no shot '{unknown[0]}'; there are {', '.join(SHOTS)}")
-    for shot in options.what or SHOTS:
+    for courant in COURANT if options.courant else ():
+        for cells in options.cells:
+            settings = {**settings_of("the deck")[0], **DIVIDED, "Jet/Cells Per Radius": cells, "Step/Courant Fraction": courant}
+            keep_scatter(cells, courant, measured(run_deck(options.barreno.resolve(), "perforation_at_rest.xml", settings), 1.0))
+    for shot in options.what or (() if options.courant else SHOTS):
         for cells in options.cells:
             entries, scale = settings_of(shot)
             settings = {**entries, **DIVIDED, "Jet/Cells Per Radius": cells}

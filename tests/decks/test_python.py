@@ -209,7 +209,13 @@ def check_bad_folders(run, folder):
     os.mkfifo(cut / "depth.csv")
     refused(lambda: barreno.open(cut).depth, "a named pipe")
     (cut / "summary.json").write_text("{")
-    refused(lambda: barreno.open(cut), "summary.json cannot be read")
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        opened = barreno.open(cut)
+    assert len(said) == 1 and "summary.json cannot be read" in str(said[0].message), said
+    assert not opened.finished and len(opened.history) > 1
+    refused(lambda: opened.summary, "summary.json cannot be read")
+    refused(lambda: barreno.open(None), "None is not a path", "barreno.open(")
     (cut / "summary.json").unlink()
     refused(lambda: barreno.open(cut).summary, "has no summary.json yet", "was stopped before its end", "barreno resume")
     other = copy_of(run, folder, "other")
@@ -275,7 +281,7 @@ def check_runs(folder):
     refused(lambda: barreno.run(QUICK, {"Time/End Tim": "1 us"}, progress=False), "did you mean 'End Time'?")
     refused(lambda: barreno.run(QUICK, "Time/End Time=1 us", progress=False), "is not a dictionary", '{"Time/End Time": "30 us"}')
     refused(lambda: barreno.run(QUICK, SHORT, out=folder / "run", progress=False), "already holds a result")
-    refused(lambda: barreno.run(QUICK, ranks=0), "is not a number of ranks")
+    refused(lambda: barreno.run(QUICK, ranks=0), "ranks=0 is not a number of ranks", "write for example ranks=2")
     refused(lambda: barreno.run(QUICK, fidelity="exact", progress=False), "exact")
     with unittest.mock.patch.dict(os.environ, {"BARRENO_PROGRAM": str(folder / "no program")}):
         refused(lambda: barreno.check(QUICK), "cannot be started", "BARRENO_PROGRAM")

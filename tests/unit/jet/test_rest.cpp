@@ -75,7 +75,7 @@ TEST(Rest, ALateSlugHoldsTheEndOpen) {
   open.look(100.0 * us, hole_at(100.0 * us));
   EXPECT_EQ(
       rest_sentence(open.last()),
-      "The hole is not at rest: its depth grew by 0 mm per us in the last 18.1 us, and 1 % of the "
+      "The hole is not at rest: its depth grew at 0 m/s in the last 18.1 us, and 1 % of the "
       "jet's mass, which still digs, is on its way."
   );
   RestWatch crumbs(rule_with({slug_arriving(120.0 * us, 0.9e-3)}));
@@ -91,8 +91,9 @@ TEST(Rest, AHoleThatGrowsIsNotAtRestHoweverSlowly) {
   };
   EXPECT_EQ(first_rest(watch, creeping), 0.0);
   EXPECT_NEAR(watch.last().rate(), 400.0, 12.0);  // or with the row before the window
-  EXPECT_EQ(rest_sentence(watch.last()).find("The hole is not at rest: its depth grew by 0.4"), 0U)
-      << rest_sentence(watch.last());
+  EXPECT_EQ(
+      rest_sentence(watch.last()).find("The hole is not at rest: its depth grew at 400 m/s"), 0U
+  ) << rest_sentence(watch.last());
   // 0.09 % in a window of 38 us is growth within the rule.
   RestWatch slower(rule_with());
   const auto settling = [](double t) {

@@ -94,7 +94,9 @@ class Run:
     @property
     def finished(self):
         """Whether the run has reached its end."""
-        return (self.folder / "summary.json").exists() and self.summary.get("finished") is True
+        with contextlib.suppress(Fault):  # of a summary that was cut
+            return (self.folder / "summary.json").exists() and self.summary.get("finished") is True
+        return False
 
     @property
     def summary(self):
@@ -337,20 +339,26 @@ def open(folder):
     Warns
     -----
     UserWarning
-        If another version of Barreno made the run.
+        If another version of Barreno made the run, or its summary.json was cut: its tables can be read all the same.
 
     Examples
     --------
     >>> run = barreno.open("runs/quick")
     >>> run.depth.plot("time", "depth")
     """
+    if not isinstance(folder, (str, pathlib.PurePath)):
+        raise Fault(f'{folder!r} is not a path; write for example barreno.open("runs/perforation-1").', FILE)
     run = Run(folder)
     if not run.folder.is_dir():
         raise Fault(f"{folder} is not a folder (a run is opened by the folder that it wrote); check the path.", FILE)
     missing = [name for name in ("deck.xml", "history.csv") if not (run.folder / name).exists()]
     if missing:
         raise Fault(f"{folder} is not the folder of a run (it has no {missing[0]}); give the folder that barreno run named.", FILE)
-    version = run.summary.get("version", "") if (run.folder / "summary.json").exists() else ""
+    try:
+        version = run.summary.get("version", "") if (run.folder / "summary.json").exists() else ""
+    except Fault as fault:
+        warnings.warn(str(fault), stacklevel=2)
+        return run
     if other_version(folder, version):
         warnings.warn(other_version(folder, version), stacklevel=2)
     return run

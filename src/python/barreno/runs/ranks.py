@@ -23,7 +23,8 @@ def cores():
 def check_ranks(ranks, option=None):
     """@param option  that asks for them, --ranks N if it is not said  @raises Fault"""
     if ranks < 1:
-        raise Fault(f"--ranks {ranks} is not a number of ranks (1 or more); write for example --ranks 2.")
+        example = "--ranks 2" if option is None else "ranks=2"
+        raise Fault(f"{option or f'--ranks {ranks}'} is not a number of ranks (1 or more); write for example {example}.")
     words = ["bash", "-c", '. "$1" && too_many "$2" "$3"', "bash", str(places.commands()), option or f"--ranks {ranks}", str(ranks)]
     try:
         sentence = subprocess.run(words, capture_output=True, text=True, check=False).stdout.strip()
