@@ -23,9 +23,9 @@ PICTURE = ROOT / "docs" / "pictures" / "converge.png"
 
 
 def cut(until, length):
-    """The main job to a time [us], in a target cut down to what it needs [mm]."""
-    return (f'input_xml/perforation.xml --set "Time/End Time={until} us" --set "Grid/Lower={{0 mm, -16 mm}}" --set "Grid/Upper={{40 mm, '
-        f'{length + 12} mm}}" '
+    """The shot to 120 us to a time [us], in a target cut down to what it needs [mm]."""
+    return (f'input_xml/perforation_120us.xml --set "Time/End Time={until} us" --set "Grid/Lower={{0 mm, -16 mm}}" '
+        f'--set "Grid/Upper={{40 mm, {length + 12} mm}}" '
             f'--set "Bodies/Casing/Upper={{30.8 mm, 12.7 mm}}" --set "Bodies/Rock/Upper={{30.8 mm, {length + 0.7} mm}}"')  # fmt: skip
 
 

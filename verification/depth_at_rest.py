@@ -6,11 +6,10 @@
 
 A run is JOB/CELLS/PARTICLES, as failing/2.4/2: cells in the radius of the jet's tip, and particles of the jet in a cell, along each
 direction; with particles that are divided JOB/CELLS/PARTICLES+SPLITS, as bounded/2.4/2+4; or, for the scatter between runs that should
-agree, JOB/CELLS/PARTICLES/COURANT, as failing/1.8/2/0.75. The deck is
-perforation_at_rest.xml, with what fidelity balanced chooses but for these. Jobs: "bounded", the deck as it is; "failing", with the
-sandstone of perforation.xml, whose flow is associated; "published", with its metals too; "bounded_unconfined" and "unconfined", the first
-two without the pressure of 69 MPa; "continuous", the jet dispersed and without gaps; "long_slugs", the jet in a quarter of the slugs, four
-times as long. Minutes to an hour of one core each.
+agree, JOB/CELLS/PARTICLES/COURANT, as failing/1.8/2/0.75. The deck is perforation.xml, with what fidelity balanced chooses but for these.
+Jobs: "bounded", the deck as it is; "failing", with the sandstone of perforation_120us.xml, whose flow is associated; "published", with its
+metals too; "bounded_unconfined" and "unconfined", the first two without the pressure of 69 MPa; "continuous", the jet dispersed and without
+gaps; "long_slugs", the jet in a quarter of the slugs, four times as long. Minutes to an hour of one core each.
 """
 import argparse
 import json
@@ -64,7 +63,7 @@ def measure(barreno, job, cells, particles, courant=None):
         settings["Step/Courant Fraction"] = f"{courant:g}"
     if job == "long_slugs":
         settings["Jet/Table"] = long_slugs()
-    return measured(run_deck(barreno, "perforation_at_rest.xml", settings))
+    return measured(run_deck(barreno, "perforation.xml", settings))
 
 
 def measured(finished):

@@ -4,7 +4,7 @@
 
     depth_runs.py BARRENO [WHAT ...]    those of reference, ranks, rod, or all: verification/results/depth_runs.json, and docs/trade.md
 
-- reference: perforation.xml at fidelity reference on two ranks, its time and the interval of its depth.
+- reference: perforation_120us.xml at fidelity reference on two ranks, its time and the interval of its depth.
 - ranks: perforation_refined.xml to 10 us on one rank and on two in turn, steps alone; the median of three rounds.
 - rod: a rod of tungsten at 4 km/s goes 100 of its diameters deep into Berea sandstone, four cells per radius; its rate over every ten
   diameters.
@@ -34,7 +34,7 @@ ROD = {
 
 
 def reference(barreno):
-    summary = run_deck(barreno, "perforation.xml", {"Fidelity": "reference", "Output/Field Interval": "0 us"}, ranks=2).summary
+    summary = run_deck(barreno, "perforation_120us.xml", {"Fidelity": "reference", "Output/Field Interval": "0 us"}, ranks=2).summary
     return {"depth": summary["penetration"]["depth"], **{name: summary[name] for name in ("wall_seconds", "cpu_seconds", "particle_steps")}}
 
 

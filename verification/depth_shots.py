@@ -7,7 +7,7 @@
     depth_shots.py BARRENO --courant [--cells N ...]     the deck with steps a little shorter or longer, for the scatter of runs that
                                                          should agree: verification/results/depth_scatter.json, and docs/trade.md
 
-Decks: perforation_at_rest.xml with divided particles of the jet, and what tools/depth_shots.py changes in it, until the hole as wide as the
+Decks: perforation.xml with divided particles of the jet, and what tools/depth_shots.py changes in it, until the hole as wide as the
 jet no longer grows. Minutes of one core each with 1.2 cells, half an hour with 2.4.
 """
 import argparse
@@ -101,12 +101,12 @@ def main():
     for courant in COURANT if options.courant else ():
         for cells in options.cells:
             settings = {**settings_of("the deck")[0], **DIVIDED, "Jet/Cells Per Radius": cells, "Step/Courant Fraction": courant}
-            keep_scatter(cells, courant, measured(run_deck(options.barreno.resolve(), "perforation_at_rest.xml", settings), 1.0))
+            keep_scatter(cells, courant, measured(run_deck(options.barreno.resolve(), "perforation.xml", settings), 1.0))
     for shot in options.what or (() if options.courant else SHOTS):
         for cells in options.cells:
             entries, scale = settings_of(shot)
             settings = {**entries, **DIVIDED, "Jet/Cells Per Radius": cells}
-            keep(shot, cells, measured(run_deck(options.barreno.resolve(), "perforation_at_rest.xml", settings), scale))
+            keep(shot, cells, measured(run_deck(options.barreno.resolve(), "perforation.xml", settings), scale))
     draw(json.loads(STORED.read_text()))
     write_pages()
     return 0

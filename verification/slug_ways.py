@@ -5,7 +5,7 @@
     slug_ways.py BARRENO [RUN ...]    all, or those: verification/results/slug_ways.json, a picture, and docs/trade.md
 
 A run is CELLS/PARTICLES, as 1.8/2: cells in the radius of the jet's tip, and particles of the jet in a cell, along each direction. The deck
-is perforation_at_rest.xml, to 205 us. Two to ten minutes of one core each.
+is perforation.xml, to 205 us. Two to ten minutes of one core each.
 """
 import argparse
 import json
@@ -73,7 +73,7 @@ def measure(barreno, cells, particles):
         "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles), "Jet/Splits": "0",
         "Output/Field Interval": "40 us", "Time/End Time": "205 us",
     }  # fmt: skip
-    return ways(run_deck(barreno, "perforation_at_rest.xml", settings), cells, particles)
+    return ways(run_deck(barreno, "perforation.xml", settings), cells, particles)
 
 
 def draw(found):

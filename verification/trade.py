@@ -65,13 +65,13 @@ def fidelity_words(barreno, name):
 
 def jet_words(barreno, name):
     """What it chooses differently, or only, for a deck with a jet that leaves its cells open."""
-    said = choices_in(barreno, "perforation.xml", name)
+    said = choices_in(barreno, "perforation_120us.xml", name)
     return {word: said.get(path, "as the deck's") for word, path in JET_WORDS.items()}
 
 
 def breaking_words(barreno, name):
     """The same of a jet whose metal breaks."""
-    said = choices_in(barreno, "perforation_at_rest.xml", name)
+    said = choices_in(barreno, "perforation.xml", name)
     return {word: said[path] for word, path in BREAKING_WORDS.items()}
 
 
@@ -198,7 +198,7 @@ def as_measured(points):
 
 
 def judge_depths(points):
-    """Errors of all depths against that of perforation.xml with uniform cells of 0.25 mm, and what that is worth."""
+    """Errors of all depths against that of perforation_120us.xml with uniform cells of 0.25 mm, and what that is worth."""
     reference = depth_of(REFERENCE, DEPTH_TIME)
     for p in points:
         if p["problem"] == "depth" and "error" in p:

@@ -23,7 +23,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
 STORED = HERE / "results" / "uncertainty.json"
 PICTURE = ROOT / "docs" / "pictures" / "uncertainty.png"
-WORDS = 'input_xml/perforation.xml --fidelity fast --set "Time/End Time=20 us"'
+WORDS = 'input_xml/perforation_120us.xml --fidelity fast --set "Time/End Time=20 us"'
 
 
 def run_example(barreno, folder):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The slow end of the jet of the main job, for decks that follow a shot to its end with few cells.
+"""The slow end of the jet of perforation_120us.xml, for decks that follow a shot to its end with few cells.
 
     slow_jet.py > slow_jet.csv
 

@@ -12,7 +12,7 @@ namespace barreno {
 /// src/measured/depths_of_cells.csv, steady_errors.csv, length_errors.csv and
 /// divided_errors.csv.
 
-/// The jet of perforation.xml, whose depths were measured: its tip.
+/// The jet of perforation_120us.xml, whose depths were measured: its tip.
 inline constexpr double measured_radius = 1e-3;      ///< [length]
 inline constexpr double measured_velocity = 7830.0;  ///< [velocity]
 
@@ -33,7 +33,7 @@ struct LengthError {
 
 /// Error of a jet's depth that comes from the size of the cells, depth over true depth less 1.
 struct DepthError {
-  double value = 0.0;            ///< what perforation.xml had at the same cells and depth
+  double value = 0.0;            ///< what perforation_120us.xml had at the same cells and depth
   double low = 0.0, high = 0.0;  ///< range of all measurements with the same cells
 };
 /// Of jets that break, with particles that are divided (jet/divided_error.hpp).

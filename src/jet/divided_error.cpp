@@ -10,7 +10,7 @@
 namespace barreno {
 namespace {
 
-/// The jet of perforation_at_rest.xml (verification/results/depth_shots.json).
+/// The jet of perforation.xml (verification/results/depth_shots.json).
 constexpr int measured_splits = 4, measured_particles_per_cell = 2;
 constexpr double measured_end = 300e-6;   ///< with the measured radius and tip velocity [time]
 constexpr double measured_length = 0.55;  ///< of the tip's slug, in radii

@@ -27,7 +27,7 @@ std::string percent_text(double share) {
 /// What keeps a hole from being at rest.
 std::string unrest_sentence(const Rest& rest) {
   const std::string text =
-      format("The hole is not at rest: its depth grew at %.3g m/s in the last ", rest.rate()) +
+      format("The hole is not at rest: its depth grew at %.4g m/s in the last ", rest.rate()) +
       microseconds(rest.window);
   if (!(rest.share_on_its_way > 0.0)) return text + ".";
   return text + ", and " + percent_text(rest.share_on_its_way) +

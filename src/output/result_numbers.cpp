@@ -2,11 +2,14 @@
 #include "output/result_numbers.hpp"
 
 #include "files/text_file.hpp"
+#include "jet/channel.hpp"
 #include "jet/divided_error.hpp"
 #include "jet/estimate.hpp"
 #include "output/progress.hpp"
 #include "output/share_numbers.hpp"
 #include "state/balance.hpp"
+
+#include <cmath>
 
 namespace barreno {
 namespace {
@@ -52,6 +55,38 @@ std::string depth_words(const Scene& scene, const Penetration& p) {
   return text;
 }
 
+/// Size of the open channel; nothing where it is closed.
+std::string hole_words(const Scene& scene, const Penetration& p) {
+  const JetPath path = jet_path(scene);
+  const double volume = channel_volume(scene.grid, path, p);
+  if (!(volume > 0.0)) return {};
+  const bool of_depth = scene.grid.mode == Mode::plane_strain;
+  std::string text =
+      number_line(of_depth ? "hole: %.3g cm2" : "hole: %.3g cm3", (of_depth ? 1e4 : 1e6) * volume);
+  const char* word = ", entrance of ";
+  for (const PathLayer& layer : solid_layers(path_layers(scene, widest_radius(scene)))) {
+    const double entrance = entrance_diameter(layer, path, p);
+    if (!(entrance > 0.0)) continue;
+    text += word + number_line("%.2f mm in ", 1e3 * entrance) + scene.bodies[layer.body].name;
+    word = " and ";
+  }
+  return text + number_line(", %.2f mm wide half-way down", 2e3 * p.channel_radius_mid);
+}
+
+/// What has become of the rock around it.
+std::string zones_words(const Scene& scene, const RockZones& zones) {
+  std::string text =
+      scene.bodies[zones.body].name + number_line(" at %.1f mm: ", 1e3 * zones.depth);
+  text += zones.crushed_to > zones.crushed_from
+              ? number_line("crushed from %.2f ", 1e3 * zones.crushed_from) +
+                    number_line("to %.2f mm from the axis", 1e3 * zones.crushed_to)
+              : std::string("not crushed");
+  if (zones.dilated_to > zones.wall)
+    text += number_line(", dilated to %.2f mm", 1e3 * zones.dilated_to);
+  if (std::isfinite(zones.skin)) text += number_line("; skin %.2g by its porosity", zones.skin);
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> result_numbers(
@@ -66,6 +101,11 @@ std::vector<std::string> result_numbers(
     lines.push_back(
         penetration.met ? depth_words(scene, penetration) : "no depth: the jet has hit no target"
     );
+  if (penetration.met && scene.jet.present) {
+    const std::string hole = hole_words(scene, penetration);
+    if (!hole.empty()) lines.push_back(hole);
+  }
+  for (const RockZones& zones : summary.zones) lines.push_back(zones_words(scene, zones));
   if (summary.rest && summary.rest->met) lines.push_back(rest_sentence(*summary.rest));
   if (penetration.met)
     lines.push_back(

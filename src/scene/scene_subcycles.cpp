@@ -24,7 +24,7 @@ bool has_fixed_supports(const std::string& shape) {
 }
 
 /// Beyond this share of their stable steps, tiles that step differently side by side can resonate:
-/// perforation.xml gained energy without bound at 0.9, and at 0.8 and below never.
+/// perforation_120us.xml gained energy without bound at 0.9, and at 0.8 and below never.
 constexpr double largest_courant_fraction = 0.8;
 
 /// Why all tiles of a scene take one step; empty: they need not. The first reasons are those for

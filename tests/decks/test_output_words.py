@@ -29,8 +29,8 @@ RUNS = [
     ("perforation_quick.xml", {"Time/End Time": "1 us", "Fidelity": "balanced"}),  # cells and steps of several sizes
     ("perforation_quick.xml", {"Time/End Time": "0.8 us", f"{ROCK}/Card": "berea_sandstone_damage.xml"}),
     # Divided particles of a jet, whose error of the wide hole is known, and unknown with larger cells.
-    ("perforation_at_rest.xml", {"Time/End Time": "1.5 us", "Jet/Cells Per Radius": "1.2"}),
-    ("perforation_at_rest.xml", {"Time/End Time": "1.5 us", "Jet/Cells Per Radius": "1"}),
+    ("perforation.xml", {"Time/End Time": "1.5 us", "Jet/Cells Per Radius": "1.2"}),
+    ("perforation.xml", {"Time/End Time": "1.5 us", "Jet/Cells Per Radius": "1"}),
     ("terzaghi.xml", {"Time/End Time": "1e-3 s", "Quasi-Static/Inertia Factor": "100"}),  # fluid that flows
     ("shell_squeezed.xml", {"Time/End Time": "0.1 us"}),  # a ball with a fluid in its cavity
     ("rigid_plate.xml", {"Time/End Time": "1 us"}),

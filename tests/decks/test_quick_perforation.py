@@ -78,6 +78,17 @@ def check_report(run):
         assert picture.name in page.read_text(), f"{picture.name} is not shown"
 
 
+def check_last_lines(run):
+    """The hole and the rock around it, as summary.json has them."""
+    text, found = (run.folder / "run.log").read_text(), run.summary["penetration"]
+    entrance, rock = found["entrance_diameter_in_body"], found["zones_in_body"]["Rock"]
+    assert f"hole: {1e6 * found['channel_volume']:.3g} cm3" in text, text[-2000:]
+    for body, width in entrance.items():
+        assert f" {1e3 * width:.2f} mm in {body}" in text, text[-2000:]
+    assert f"crushed from {1e3 * rock['crushed_from']:.2f} to {1e3 * rock['crushed_to']:.2f} mm from the axis" in text, text[-2000:]
+    assert f"; skin {rock['skin']:.2g} by its porosity" in text, text[-2000:]
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -90,6 +101,7 @@ def main():
         script(TESTS / "scripts" / "exodiff_lite.py", "-f", same, one.folder / "particles.e", two.folder / "particles.e")
         for table in ("depth.csv",):
             assert (one.folder / table).read_text() == (two.folder / table).read_text(), f"{table} differs between rank counts"
+        check_last_lines(one)
         check_picture_data(two)
         check_report(two)
 

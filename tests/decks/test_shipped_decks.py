@@ -26,7 +26,7 @@ SETTINGS = {"perforation_drainage.xml": {"Materials/Sandstone/Tolerance": "1e-6"
 
 # Share of a deck's time; less of those that have most particles.
 SHARE = {
-    "perforation_refined.xml": 0.002, "perforation_at_rest.xml": 0.002, "perforation_3d.xml": 0.003,
+    "perforation_refined.xml": 0.002, "perforation.xml": 0.002, "perforation_3d.xml": 0.003,
     "jet_formation_3d.xml": 0.004, "driven_cone_3d.xml": 0.004,
 }
 
@@ -34,7 +34,7 @@ COARSE = {
     "driven_cone_3d.xml": {"Grid/Cell Size": "4 mm", "Time/End Time": "0.36 us"},
     "jet_formation_3d.xml": {"Grid/Cell Size": "4 mm", "Grid/Upper": "{42 mm, 150 mm, 44 mm}", "Time/End Time": "0.256 us"},
     "perforation_3d.xml": {"Grid/Cell Size": "4 mm"},
-    "perforation_at_rest.xml": {"Jet/Cells Per Radius": "1.2"},
+    "perforation.xml": {"Jet/Cells Per Radius": "1.2"},
     "perforation_refined.xml": {"Grid/Cell Size": "2 mm", "Jet/Cells Per Radius": "2"},
 }
 

@@ -4,7 +4,7 @@
 
     test_refined_ranks.py BARRENO
 
-input_xml/perforation.xml under its confinement, whose round-off moves nodes by about as much as dormant tiles may move.
+input_xml/perforation_120us.xml under its confinement, whose round-off moves nodes by about as much as dormant tiles may move.
 """
 import sys
 
@@ -19,11 +19,11 @@ OTHERS = {"2 ranks": (2, {}), "3 ranks": (3, {}), "no tile left out": (1, {"Step
 
 
 def main():
-    one = run_deck(sys.argv[1], "perforation.xml", SETTINGS)
+    one = run_deck(sys.argv[1], "perforation_120us.xml", SETTINGS)
     history, particles = one.table("history.csv"), one.particles()
     assert one.summary["skipped_particle_steps"] > one.summary["particle_steps"], "most particles are dormant"
     for name, (ranks, more) in OTHERS.items():
-        other = run_deck(sys.argv[1], "perforation.xml", {**SETTINGS, **more}, ranks)
+        other = run_deck(sys.argv[1], "perforation_120us.xml", {**SETTINGS, **more}, ranks)
         apart = [column for column, values in other.table("history.csv").items() if not np.array_equal(values, history[column])]
         assert not apart, f"{name}: {apart} of history.csv differ"
         apart = [field for field, values in other.particles().items()

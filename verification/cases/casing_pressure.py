@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 
 from barreno.report.particles import ParticleFile
 
-DECK = "perforation.xml"
+DECK = "perforation_120us.xml"
 CELL, THICKNESS = 1e-3, 12.7e-3  # m
 RATE = 30
 

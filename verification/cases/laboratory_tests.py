@@ -141,7 +141,7 @@ def run(barreno, full):
         result.rows.append([name, measured, mark, source, *(found[card][name] for card in CARDS)])
     demand(result, found)
     result.notes = (
-        "`berea_sandstone` is the card of all shipped decks but perforation_at_rest.xml. Its flow is associated: sheared rock swells "
+        "`berea_sandstone` is the card of all shipped decks but perforation.xml. Its flow is associated: sheared rock swells "
         "without limit, and rock that is pulled apart ends under pressure. `berea_sandstone_bounded` differs in PEAKI1 and FSLOPE, which "
         "follow from the unconfined and the tensile strength, "
         "and in the bounds of its dilatancy: `Dilatancy limit` 5 % (range 2 to 10 %, assumed) and "

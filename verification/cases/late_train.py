@@ -5,7 +5,7 @@ from tools.case import Result
 from tools.penetration import between_particles_and_grid
 from tools.runs import DECKS, run_deck
 
-DECK = "perforation_at_rest.xml"
+DECK = "perforation.xml"
 TABLE = DECKS / "jets" / "tungsten_320.csv"
 FASTEST, SLOWEST = 2200.0, 1500.0  # of the slugs [m/s]
 FAR = 0.5  # the bottom that they reach in the shot, from the virtual origin [m]
@@ -47,7 +47,7 @@ def run(barreno, full):
         "Late slugs in their hole",
         "Slugs that arrive late dig a hole hardly wider than themselves, one on top of what is left of the other. A slug that is cut into "
         "enough particles flows aside; the depth then no longer depends on them.",
-        f"The finest particles. The slugs of perforation_at_rest.xml from {FASTEST:g} to {SLOWEST:g} m/s, 0.26 to 0.31 mm thick and 2.0 to "
+        f"The finest particles. The slugs of perforation.xml from {FASTEST:g} to {SLOWEST:g} m/s, 0.26 to 0.31 mm thick and 2.0 to "
         f"2.2 mm in radius, reach fresh sandstone under 69 MPa as they reach the bottom at {1e3 * FAR:g} mm in the shot; {END[full]:g} us.",
         ["kind", "cells per radius", "particles per cell", "splits", "their size [mm]", "depth [mm]", "volume of the hole [cm3]",
          "energy lost by the method", "steps",

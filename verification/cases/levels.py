@@ -4,7 +4,7 @@ import numpy as np
 from tools.case import Result
 from tools.runs import run_deck
 
-DECK = "perforation.xml"
+DECK = "perforation_120us.xml"
 COMMON = {"Time/End Time": "10 us", "Output/Field Interval": "0 us", "Output/History Interval": "0.25 us"}
 AS_FIDELITIES = {"Step/Subcycles": "4", "Bodies/Casing/Particles Per Cell": "1", "Bodies/Rock/Particles Per Cell": "1"}
 INSTANTS = (5e-6, 10e-6)  # s

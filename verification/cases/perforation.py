@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The main job: balances, jet audit, rank counts, depth under refinement."""
+"""The shot to 120 us: balances, jet audit, rank counts, depth under refinement."""
 import numpy as np
 from tools.case import Result
 from tools.penetration import between_particles_and_grid, depth_at, hole_radius, pinned
@@ -70,7 +70,7 @@ def compare_depths(depths):
 def run(barreno, full):
     result = Result(
         "Perforation",
-        "The main job on 1, 2 and 4 ranks and at three cell sizes.",
+        "The shot to 120 us on 1, 2 and 4 ranks and at three cell sizes.",
         "balances are identities, and the number of ranks must not matter. The depth has no exact answer. It is compared with its "
         "earlier value (to detect changes) and with the depth of cells of 0.25 mm.",
         ["run", *(f"depth at {time} us [mm]" for time in TIMES), "final depth [mm]",
@@ -78,14 +78,14 @@ def run(barreno, full):
          "mass", "axial momentum", "energy ledger", "launched against table"],
         [],
     )  # fmt: skip
-    two_ranks = compare_ranks(barreno, "perforation.xml" if full else "perforation_quick.xml", {}, result)
+    two_ranks = compare_ranks(barreno, "perforation_120us.xml" if full else "perforation_quick.xml", {}, result)
     if not full:
         demand_pins(two_ranks, "perforation_quick.xml", result)
     if full:
         depths = []
         for h in CELLS:
             settings = {"Grid/Cell Size": f"{h} mm"}
-            finished = two_ranks if h == 1.0 else run_deck(barreno, "perforation.xml", settings, ranks=2)
+            finished = two_ranks if h == 1.0 else run_deck(barreno, "perforation_120us.xml", settings, ranks=2)
             result.rows.append(row(f"{h} mm", finished))
             depths.append(result.rows[-1][1 : 2 + len(TIMES)])
             demand_pins(finished, f"{h} mm", result)

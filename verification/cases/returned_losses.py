@@ -6,7 +6,7 @@ from tools.case import Result
 from tools.penetration import between_particles_and_grid, depth_at
 from tools.runs import run_deck
 
-DECK = "perforation.xml"
+DECK = "perforation_120us.xml"
 CASING = 4  # us: until then the tip of the jet is in the casing
 LATER = 12  # us: by then the jet has been in the rock for most of the time
 USUAL, RETURNED, HALVED = "as in the deck", "Return Losses", "half the step"

@@ -7,7 +7,7 @@ from barreno.runs.csv_table import arrays_of, read_csv
 from tools.case import Result
 from tools.runs import DECKS, run_deck, scratch_folder
 
-DECK, TABLE = "perforation.xml", "jets/tungsten_154.csv"
+DECK, TABLE = "perforation_120us.xml", "jets/tungsten_154.csv"
 COLUMNS = ("time", "velocity", "radius", "length", "density")
 # Name -> slugs of the table that become one, or parts that one becomes.
 JETS = {"two slugs as one": 2.0, "as in the table": 1.0, "halves of slugs": 0.5}

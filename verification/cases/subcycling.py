@@ -4,7 +4,7 @@ import numpy as np
 from tools.case import Result
 from tools.runs import run_deck
 
-DECK = "perforation.xml"
+DECK = "perforation_120us.xml"
 MOST = 4  # parts of a step
 
 

@@ -138,7 +138,7 @@ def measure(barreno, repeats, quick):
     large = scaling_decks.block(scratch, cells, 60)
     jet = scaling_decks.perforation()
     if quick:
-        jet = Problem("perforation.xml to 4 us", jet.deck, "2 us", "4 us")
+        jet = Problem("perforation_120us.xml to 4 us", jet.deck, "2 us", "4 us")
     result = {"triad": {n: bandwidth(triad, n) for n in (1, 2)}, "strong": [], "messages": []}
     ratio = result["triad"][2] / result["triad"][1]
     for word, problem in (("block", large), ("perforation", jet)):

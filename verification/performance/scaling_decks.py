@@ -42,4 +42,4 @@ def block(folder, cells, steps):
 
 
 def perforation():
-    return Problem("perforation.xml to 20 us", DECKS / "perforation.xml", "10 us", "20 us")
+    return Problem("perforation_120us.xml to 20 us", DECKS / "perforation_120us.xml", "10 us", "20 us")

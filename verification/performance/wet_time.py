@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How long perforation.xml takes with water in the rock's pores, against dry.
+"""How long perforation_120us.xml takes with water in the rock's pores, against dry.
 
     wet_time.py BARRENO [--document] [--rounds N] [--end "120 us"]
 
@@ -21,7 +21,7 @@ from tools.write_pages import write_pages
 
 HERE = pathlib.Path(__file__).resolve().parent
 STORED = HERE.parent / "results" / "wet_time.json"
-DECK = "perforation.xml"
+DECK = "perforation_120us.xml"
 WATER = {"Materials/Sandstone/fluid_B0": "2.2 GPa"}
 MOST = 1.5  # times the dry run's time
 

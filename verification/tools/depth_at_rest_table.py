@@ -18,7 +18,7 @@ WORDS = {
 CONFINED = {"unconfined": "failing", "bounded_unconfined": "bounded"}
 HEAD = """## Depth at rest
 
-Depth of `input_xml/perforation_at_rest.xml` [mm], the jet of the main job with its slow tail, metals that fail and sandstone with bounded
+Depth of `input_xml/perforation.xml` [mm], the jet of perforation_120us.xml with its slow tail, metals that fail and sandstone with bounded
 dilatancy, at times [us]; and of variants of it. Cells per radius of the jet's tip; particles of the jet in a cell, along each direction, how
 often each may be divided in two (+4, `Jet/Splits`), and their size at launch; one particle per cell in casing and rock. Runs by `verification/depth_at_rest.py BARRENO`; the seconds are of a machine
 with other work. Rows that end early had 750 mm of sandstone and an earlier end.
@@ -71,7 +71,7 @@ cell now come nearer to one pressure ([method](method.md#13-pressures-that-alter
 rows with 1.2, 1.8 and 2.4 cells and divided particles were run with it; those with 3.2 cells, of the continuous jet and without confinement
 were run before.
 
-Theory does not bound it. By its length this jet digs 317 mm (`./barreno jet input_xml/perforation_at_rest.xml`, hydrodynamic, without
+Theory does not bound it. By its length this jet digs 317 mm (`./barreno jet input_xml/perforation.xml`, hydrodynamic, without
 strength), less than half of what is computed: its slugs are discs with gaps of a dozen lengths, each of which digs a crater of its own, and
 spent metal goes on. A continuous jet of the same mass, momentum and energy, 1.8 cells per radius and divided particles, digs deeper still.
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Depth of perforation.xml at 10 us against its cost, with equal cells and with small ones along the jet's path: curves of a picture of
-docs/trade.md, from results/levels.json and results/slug_length.json."""
+"""Depth of perforation_120us.xml at 10 us against its cost, with equal cells and with small ones along the jet's path: curves of a picture
+of docs/trade.md, from results/levels.json and results/slug_length.json."""
 from tools.case_list import stored
 
 FILE = "depth_against_cost.png"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shots unlike perforation_at_rest.xml, on which the interval of a depth is tried: other pressures, rocks, jets and targets."""
+"""Shots unlike perforation.xml, on which the interval of a depth is tried: other pressures, rocks, jets and targets."""
 import pathlib
 
 from barreno.runs.csv_table import arrays_of, read_csv

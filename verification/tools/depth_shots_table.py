@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Errors of depths with divided particles of the jet, from depth_shots.json and depth_at_rest.json of verification/results; and a part of
-docs/trade.md."""
+"""Errors of depths with divided particles of the jet, from depth_shots.json and depth_scatter.json of verification/results;
+and a part of docs/trade.md."""
 import json
+import statistics
 
 from tools.case_list import RESULTS
 from tools.depth_shots import TIMES
@@ -9,18 +10,37 @@ from tools.depth_shots import TIMES
 DECK = "the deck"
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
-# Single runs that should agree differ: of the depth by twice the standard deviation of one that docs/trade.md has where most of it is dug;
-# of the hole as wide as the jet by more, because it narrows slowly and one neck decides: one run has 481, 519, 484 mm at 300, 380, 560 us.
-SCATTER = {"depth": 0.03, "probed depth": 0.05}
 WHAT = ("depth", "probed depth")
-FINER = "bounded/3.2/2+4"  # of depth_at_rest.json, whose times it has up to 280 us
-FINER_TIMES = TIMES[:-1]
+# Standard deviations of one run by which two single runs may differ: where the interval of one is held against another (docs/trade.md).
+APART = 3.0
 
 
 def shots():
     """{shot: {cells: what was measured}}"""
     found = json.loads((RESULTS / "depth_shots.json").read_text())
     return {shot: {float(cells): one for cells, one in runs.items()} for shot, runs in found.items()}
+
+
+def repeats():
+    """{cells: runs of the deck that should agree}, of those cells with which there are several"""
+    found = json.loads((RESULTS / "depth_scatter.json").read_text())
+    return {float(cells): list(runs.values()) for cells, runs in found.items() if len(runs) > 2}
+
+
+def mean_at(cells, single, what, time):
+    """Depth of the deck: the mean of runs that should agree, or that of the only run."""
+    return statistics.mean(at(one, what, time) for one in repeats().get(cells, [single]))
+
+
+def deviation(runs, what, time):
+    """Standard deviation of one of several runs over their mean."""
+    depths = [at(one, what, time) for one in runs]
+    return statistics.stdev(depths) / statistics.mean(depths)
+
+
+def scatter(what):
+    """By how much single runs may differ, at the worst of all times and cells."""
+    return APART * max(deviation(runs, what, time) for runs in repeats().values() for time in times_of(what))
 
 
 def times_of(what):
@@ -31,19 +51,15 @@ def at(one, what, time):
     return one["depth"][TIMES.index(time)] if what == "depth" else one["probed_depth"]
 
 
-def changes(coarse, fine, what):
-    """Depth with some cells over that with smaller ones, less 1, at every time that counts."""
-    return [at(coarse, what, time) / at(fine, what, time) - 1.0 for time in times_of(what)]
+def changes(runs, coarse, fine, what):
+    """Depth of the deck with some cells over that with smaller ones, less 1, at every time that counts."""
+    return [mean_at(coarse, runs[coarse], what, time) / mean_at(fine, runs[fine], what, time) - 1.0 for time in times_of(what)]
 
 
 def doubt(runs, what):
-    """How far the smallest cells may be from the truth: from still smaller ones at least, where those were run; as far as the next larger
-    ones are from them, else."""
+    """How far the smallest cells may be from the truth: as far as the next larger ones are from them."""
     *_, before, finest = sorted(runs)
-    if what == "probed depth":
-        return max(map(abs, changes(runs[before], runs[finest], what)))
-    finer = json.loads((RESULTS / "depth_at_rest.json").read_text())[FINER]["depths"]
-    return max(abs(at(runs[finest], what, time) / finer[FINER_TIMES.index(time)] - 1.0) for time in FINER_TIMES if time >= FROM)
+    return max(map(abs, changes(runs, before, finest, what)))
 
 
 def errors():
@@ -54,8 +70,8 @@ def errors():
     found = {}
     for cells in sorted(runs):
         for what in WHAT:
-            all_of = changes(runs[cells], runs[finest], what)
-            more = doubt(runs, what) + SCATTER[what]
+            all_of = changes(runs, cells, finest, what)
+            more = doubt(runs, what) + scatter(what)
             found.setdefault(cells, {})[what] = (all_of[-1], min(all_of) - more, max(all_of) + more)
     return found
 
@@ -77,6 +93,25 @@ def trials():
                 _, low, high = known[cells][what]
                 interval = depth / (1.0 + high), depth / (1.0 + low)
                 yield shot, cells, finest, what, depth, interval, truth, covered(depth, known[cells][what], truth)
+
+
+AGREE = """
+Runs that should agree: the deck with Courant Fractions from 0.765 to 0.8 (`verification/depth_shots.py BARRENO --courant`), at {rest} us:
+"""
+
+
+def scatter_table():
+    head = ("cells per radius", "runs", "depth, mean [mm]", "deviation", "as wide as the jet, mean [mm]", "deviation",
+        "volume of the channel, mean [cm3]", "deviation")  # fmt: skip
+    lines = [AGREE.format(rest=REST).strip(), "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    for cells, runs in sorted(repeats().items()):
+        row = [f"{cells:g}", str(len(runs))]
+        for what in WHAT:
+            row += [f"{1e3 * statistics.mean(at(one, what, REST) for one in runs):.0f}", f"{100 * deviation(runs, what, REST):.1f} %"]
+        volumes = [1e6 * one["channel_volume"] for one in runs]
+        row += [f"{statistics.mean(volumes):.1f}", f"{100 * statistics.stdev(volumes) / statistics.mean(volumes):.1f} %"]
+        lines.append("| " + " | ".join(row) + " |")
+    return lines
 
 
 LATER = "the deck, to 560 us"
@@ -123,4 +158,4 @@ def summary():
 
 
 def section():
-    return "\n".join([head(), *table(), "", *summary(), "", PICTURE])
+    return "\n".join([head(), *table(), "", *summary(), "", *scatter_table(), "", PICTURE])

@@ -63,13 +63,13 @@ def depths():
 
 
 def figures():
-    job, run = results("decks")["perforation.xml"], rows_of("perforation")["perforation.xml, 1 ranks"]
+    job, run = results("decks")["perforation_120us.xml"], rows_of("perforation")["perforation_120us.xml, 1 ranks"]
     strong = next(one for one in results("scaling")["strong"] if one["name"].startswith("perforation"))
     notes, rock = read_table()
     point = next(row for row in rock if row["solver"] == FAST and row["knob"] == 1e-2)
     elastic = next(note for note in notes if note.startswith("elastic")).split(": ")[1]
     skipped = job["skipped_particle_steps"] / (job["skipped_particle_steps"] + job["particle_steps"])
-    main_job = "perforation.xml to 120 us, one core"
+    main_job = "perforation_120us.xml to 120 us, one core"
     return [
         "| quantity | condition | figure | measured in |", "|---|---|---|---|",
         f"| CPU time | {main_job} | {job['seconds']:.0f} s | |",

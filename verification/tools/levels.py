@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""docs/pictures/levels.png: cells and steps of the main job, early in a run: levels.py BARRENO [PNG]."""
+"""docs/pictures/levels.png: cells and steps of the shot to 120 us, early in a run: levels.py BARRENO [PNG]."""
 import pathlib
 import sys
 import tempfile
@@ -33,14 +33,14 @@ def last_of_parts(run):
 def draw(folder, png):
     with opened(folder) as run:
         figure = draw_channel(last_of_parts(run), run.deck, "cell_size", "step_length",
-            View(box=BOX, title="perforation.xml, balanced, "))
+            View(box=BOX, title="perforation_120us.xml, balanced, "))
         figure.savefig(png, dpi=110, bbox_inches="tight")
 
 
 def main():
     png = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / "docs" / "pictures" / "levels.png"
     with tempfile.TemporaryDirectory() as scratch:
-        draw(run_deck(sys.argv[1], "perforation.xml", SETTINGS, folder=pathlib.Path(scratch) / "run").folder, png)
+        draw(run_deck(sys.argv[1], "perforation_120us.xml", SETTINGS, folder=pathlib.Path(scratch) / "run").folder, png)
 
 
 if __name__ == "__main__":

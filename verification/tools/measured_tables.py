@@ -31,10 +31,9 @@ def moved(text, digits):
 
 def depths_of_cells():
     head = (
-        "# Depth of the jet of perforation.xml [m] at a time [s]: of runs with cells of a size [m], of `finest` cells that only parts of "
-        "the path\n"
+        "# Depth of the jet of perforation_120us.xml [m] at a time [s]: of runs with cells of a size [m], of `finest` cells that only parts\n"
     )
-    head += "# had, and by the hydrodynamic estimate.\n" + HEAD.format(
+    head += "# of the path had, and by the hydrodynamic estimate.\n" + HEAD.format(
         "perforation_cells.csv and estimated_depths.csv of verification/results")
     runs = [("finest" if row["cells_mm"] == FINEST else "run", moved(row["cells_mm"], -3), moved(row["time_us"], -6),
         moved(row["depth_mm"], -3))
@@ -53,7 +52,7 @@ def steady_errors():
 
 def length_errors():
     head = (
-        "# Relative error of the depth of perforation.xml to 10 us, of jets of the same mass and momentum whose slugs are shorter or "
+        "# Relative error of the depth of perforation_120us.xml to 10 us, of jets of the same mass and momentum whose slugs are shorter or "
         "longer.\n"
     )
     head += HEAD.format("verification/results/slug_length.json (the case slug_length)")
@@ -66,10 +65,10 @@ def length_errors():
 
 def divided_errors():
     head = (
-        "# Relative error of the depth, and of the depth of the hole that is as wide as the jet, of perforation_at_rest.xml with divided\n"
+        "# Relative error of the depth, and of the depth of the hole that is as wide as the jet, of perforation.xml with divided\n"
         "# particles of the jet and so many cells per radius of its tip.\n"
     )
-    head += HEAD.format("depth_shots.json and depth_at_rest.json of verification/results")
+    head += HEAD.format("depth_shots.json and depth_scatter.json of verification/results")
     rows = [(what, f"{cells:g}", *(f"{number:.4f}" for number in error))
             for cells, errors in depth_shots_table.errors().items() for what, error in errors.items()]  # fmt: skip
     return table(head, ("what", "cells_per_radius", "value", "low", "high"), rows)

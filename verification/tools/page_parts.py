@@ -8,6 +8,7 @@ from tools import deck_table
 from tools import extremes_page
 from performance import feature_cost
 from tools import figures_page
+from tools import main_job_table
 from fits import fit_berea
 from performance import many_ranks
 from tools import measured_tables
@@ -59,6 +60,7 @@ PARTS = {
     "fidelities": figures_page.fidelities,
     "figures": figures_page.figures,
     "laboratory_tests": laboratory_tests,
+    "main_job": main_job_table.lines,
     "many_ranks.py": many_ranks.stored_part,
     "off_costs.py": off_costs.stored_part,
     "pore_cost": pore_cost,

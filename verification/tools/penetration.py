@@ -37,7 +37,7 @@ def between_particles_and_grid(run):
     return -(energy["stress_integration"] + energy["transfer"]) / energy["put_in"]
 
 
-# Measured once, of perforation_quick.xml (to 40 us) and of perforation.xml (to 120 us) with the cells named. The same program gives
+# Measured once, of perforation_quick.xml (to 40 us) and of perforation_120us.xml (to 120 us) with the cells named. The same program gives
 # the same bits on any number of ranks; another compiler does not, and where a jet breaks up the last bit of a step decides where
 # a piece of debris goes. Tolerances are at least 1.4 times what Courant Fractions of 0.8 (1 + 1e-10) and 0.80001 change: depth 0.2 %
 # to 50 us, 0.9 % at 90 us, 0.3 % at the end; radius 0.2 % at 20 us, 1.4 % at 30 us, 6.5 % at the end (debris falls into the hole);

@@ -57,7 +57,7 @@ def fidelity_section(data):
               "leaves the path",
               "as it is and *balanced* refines it to 2 cells per radius. [fidelities](verification/fidelities.md) has the effect on the "
               "depth and on the cost",
-              "of the main job.", "",
+              "of the shot to 120 us.", "",
               "| fidelity | " + " | ".join(data["with_jet"]["balanced"]) + " |",
               "|---|" + "---|" * len(data["with_jet"]["balanced"])]  # fmt: skip
     lines += [f"| {name} | " + " | ".join(data["with_jet"][name].values()) + " |" for name in FIDELITIES]
@@ -102,7 +102,7 @@ def unit_text(problem, level):
 
 def depth_lines(depth):
     return [
-        "The depth has no exact answer. Depth of `input_xml/perforation.xml` with uniform cells [mm], and in brackets the relative "
+        "The depth has no exact answer. Depth of `input_xml/perforation_120us.xml` with uniform cells [mm], and in brackets the relative "
         "difference from",
         f"cells of {depth['cells']:g} mm:", "", *depth_table(), "",
         f"Halving the cells of {depth['cells']:g} mm changes the depth by {100 * doubt():.1f} % at most, to 30 us. At 5, 20 and 30 us the "

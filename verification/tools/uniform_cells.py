@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Depths of perforation.xml with cells of one size (results/perforation_cells.csv), and errors of steady penetration
+"""Depths of perforation_120us.xml with cells of one size (results/perforation_cells.csv), and errors of steady penetration
 (results/steady_penetration.csv): what a depth is compared with."""
 import math
 
@@ -32,8 +32,8 @@ def doubt():
 
 
 def errors_with(cells_per_radius):
-    """Least and greatest error of a depth that was measured with so many cells in the radius of the tip: all of perforation.xml at that
-    size of cells, and steady penetration of the same rock."""
+    """Least and greatest error of a depth that was measured with so many cells in the radius of the tip: all of perforation_120us.xml at
+    that size of cells, and steady penetration of the same rock."""
     found, size = depths(), TIP / cells_per_radius
     if size == REFERENCE:
         return -doubt(), doubt()

@@ -154,7 +154,7 @@ TEST(DepthErrorTable, IsThatOfTheResultsFiles) {
 }
 
 TEST(DepthError, GivesBackWhatWasMeasuredAndLiesBetween) {
-  // perforation.xml with cells of 1 mm at 50 us: 159.2 mm instead of 180.4 mm.
+  // perforation_120us.xml with cells of 1 mm at 50 us: 159.2 mm instead of 180.4 mm.
   const double at_50 = 159.2 / 180.4 - 1.0;
   EXPECT_NEAR(measured_depth_error(tables, 1.0, 159.2).value, at_50, 1e-12);
   EXPECT_NEAR(measured_depth_error(tables, 1.0, 149.25, DepthOf::estimate).value, at_50, 1e-4);
@@ -523,7 +523,7 @@ TEST(PredictCost, SeesTheSpeedThatALongWaveHasInItsBody) {
   EXPECT_NEAR(stable_step_of_scene(scene, false), at_rest, 1e-3 * at_rest);
 }
 
-/// A jet like that of perforation_at_rest.xml, with divided particles.
+/// A jet like that of perforation.xml, with divided particles.
 Scene divided_scene() {
   Scene scene = jet_scene({slug(0, 7830, 1e-3, 0.55e-3), slug(1.2e-6, 600, 2.2e-3, 0.17e-3)});
   JohnsonCook::Parameters p = tungsten_parameters();

@@ -20,7 +20,8 @@ def parse(words):
         "uncertainty.md",
         description="How sure the answers of a deck are: runs within ranges of its inputs, intervals, shares (docs/uncertainty.md).",
         epilog="Examples:\n  barreno uncertainty input_xml/perforation.xml --fidelity fast\n"
-        '  barreno uncertainty input_xml/perforation.xml --vary "Materials/Sandstone/FSLOPE=0.5..0.6" --vary "Jet/Velocity=0.98..1.02"\n\n'
+        "  barreno uncertainty input_xml/perforation.xml \\\n"
+        '      --vary "Materials/Sandstone/FSLOPE=0.5..0.6" --vary "Jet/Velocity=0.98..1.02"\n\n'
         "Exit codes: 0 finished, 1 bad deck or arguments, 2 file; of a run that failed, its own; 128 + the number of the signal that\n"
         "ended the command.",
     )

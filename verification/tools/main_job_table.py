@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The table of README.md: what the main job answers, beside the shot to 120 us that came before it."""
+import json
+
+from tools.case_list import RESULTS
+from tools.verification_pages import table
+
+BEFORE, MAIN = "perforation_120us.xml", "perforation.xml"
+
+
+def interval(depth, error):
+    """Where a depth lies by its measured error, in mm."""
+    if not error or "unknown" in error:
+        return "unknown"
+    return f"{1e3 * depth / (1.0 + error['high']):.0f} to {1e3 * depth / (1.0 + error['low']):.0f} mm"
+
+
+def zones(one):
+    """What has become of the rock half-way down."""
+    found = one["zones_in_body"]["Rock"]
+    crushed = f"crushed from {1e3 * found['crushed_from']:.1f} to {1e3 * found['crushed_to']:.1f} mm from the axis"
+    return crushed, f"{found['skin']:.1f}"
+
+
+def answers(one):
+    crushed, skin = zones(one)
+    entrance = one["entrance_diameter_in_body"]
+    return [
+        f"{1e3 * one['depth']:.0f} mm", interval(one["depth"], one.get("depth_error")),
+        f"{1e3 * one['probed_depth']:.0f} mm", interval(one["probed_depth"], one.get("probed_depth_error")),
+        f"{1e3 * entrance['Casing']:.1f} and {1e3 * entrance['Rock']:.1f} mm", f"{1e6 * one['channel_volume']:.1f} cm3",
+        crushed, skin, f"{100.0 * one['lost']:.1f} %", f"{one['seconds']:.0f} s, {1e-6 * one['bytes']:.0f} MB",
+    ]  # fmt: skip
+
+
+QUESTIONS = (
+    "how deep: the tip", "its interval, by the cells", "how deep: as wide as the jet's widest slug", "its interval, by the cells",
+    "what hole: entrance in the casing and in the rock", "what hole: volume", "how damaged: half-way down", "how much it flows: skin there",
+    "how sure: energy lost by the method", "time and memory, two ranks",
+)  # fmt: skip
+
+
+def lines():
+    found = json.loads((RESULTS / "main_job.json").read_text())
+    columns = [answers(found[deck]) for deck in (MAIN, BEFORE)]
+    ends = [f"{1e6 * found[deck]['end']:.0f} us" for deck in (MAIN, BEFORE)]
+    head = ["question", f"main job, to {ends[0]}", f"`{BEFORE}`, to {ends[1]}"]
+    return table(head, [list(row) for row in zip(QUESTIONS, *columns)])
