@@ -36,7 +36,6 @@ WRITTEN = ("README.md", "input_xml/README.md", "docs/architecture.md", "docs/che
            "docs/materials/poroelastic.md", "docs/method.md", "docs/output.md", "docs/paper.md", "docs/performance.md", "docs/sweep.md",
            "docs/uncertainty.md", "verification/trade_notes.md")  # fmt: skip
 SETTINGS = {
-    "README.md": ("70 us",),  # when the picture was taken
     "docs/checkpoints.md": ("1 MB",),  # of a chunk
     "docs/finite_elements.md": ("2 %",),  # of strain, in the example
     "docs/paper.md": ("5 %", "30 us", "60 us"),  # of pores, in a deck; when depths are compared

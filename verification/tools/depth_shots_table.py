@@ -123,6 +123,23 @@ interval is that of the program, made from the deck alone):
 """
 
 
+def listed(words):
+    *first, last = words
+    return f"{', '.join(first)} and {last}"
+
+
+def converged():
+    """What smaller cells do to the hole of the deck, in words."""
+    runs = shots()[DECK]
+    sizes = sorted(runs)
+    wide = [1e3 * mean_at(cells, runs[cells], "probed depth", REST) for cells in sizes]
+    volumes = [1e6 * statistics.mean(one["channel_volume"] for one in repeats().get(cells, [runs[cells]])) for cells in sizes]
+    by = [100.0 * (all_of[-1] / all_of[-2] - 1.0) for all_of in (wide, volumes)]
+    return (f"With {listed([f'{cells:g}' for cells in sizes])} cells per radius the hole is as wide as the jet to "
+        f"{listed([f'{one:.0f}' for one in wide])} mm, and its volume is {listed([f'{one:.1f}' for one in volumes])} cm3 (means where "
+        f"several runs are there): with the last step the depth changes by {by[0]:+.1f} %, the volume by {by[1]:+.1f} %.")  # fmt: skip
+
+
 def head():
     found = shots()
     ends = {cells: [1e3 * found[shot][cells]["probed_depth"] for shot in (DECK, LATER)] for cells in sorted(found[LATER])}
@@ -130,7 +147,7 @@ def head():
     return HEAD.format(rest=REST, grown=", ".join(grown))
 
 
-PICTURE = """![Radius of the hole against depth, with three sizes of cells](pictures/hole_of_cells.png)
+PICTURE = """![Radius of the hole against depth, with several sizes of cells](pictures/hole_of_cells.png)
 
 The hole hardly follows the cells down to where it is as narrow as the jet (the deck at the same time); the thread behind it does.
 """
@@ -158,4 +175,4 @@ def summary():
 
 
 def section():
-    return "\n".join([head(), *table(), "", *summary(), "", *scatter_table(), "", PICTURE])
+    return "\n".join([head(), *table(), "", *summary(), "", *scatter_table(), "", converged(), "", PICTURE])

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <vector>
+
 namespace barreno {
 namespace {
 
@@ -94,6 +97,31 @@ TEST(SolveVelocity, ConditionsReplaceComponents) {
 }
 
 /// Nodes of both patches are summed over them, in both tiles with the same bits.
+/// A condition that sets nothing keeps all nodes from the short way of free tiles: with the same
+/// bits, since the tile that counts a node may go either way.
+TEST(SolveVelocity, FreeTilesHaveTheBitsOfOthers) {
+  TwoNodes two;
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> u(-1.0, 1.0);
+  const Patch& patch = two.state.grid.patch;
+  for (int tile = 0; tile < 2; ++tile)
+    for (int slot = 0; slot < patch.size; ++slot) {
+      double* const node = &two.nodes.sums(first_sum(patch, tile)) + slot * sum_components;
+      node[0] = slot % 5 == 0 ? 0.0 : 1.0 + u(engine);
+      for (int i = 1; i < 5 && node[0] > 0.0; ++i) node[i] = u(engine);
+    }
+  const auto solved = [&](const VelocityRule& rule) {
+    const GridTally tally = solve_velocity(two.state.grid, rule, {}, two.nodes);
+    std::vector<double> all{tally.kinetic_before, tally.kinetic_after, tally.force_work};
+    for (std::size_t i = 0; i < first_motion(patch, 2); ++i) all.push_back(two.nodes.motion(i));
+    return all;
+  };
+  VelocityRule touched = two.rule();
+  touched.conditions.count = 1;
+  touched.conditions.list[0].bound = 1 << 20;
+  EXPECT_EQ(solved(two.rule()), solved(touched));
+}
+
 TEST(SolveVelocity, PartsOfNeighboursAreAdded) {
   TwoNodes two;
   testing::set_frame(two.state.grid, 1, 1.0, 0.5);
