@@ -182,10 +182,8 @@ struct SolveVelocity {
     return rule.damping == 0.0 && node[impedance_component] == 0.0;
   }
 
-  /// Whether nodes of a tile follow from their sums alone, but for impedances: no condition, no
-  /// contact and no drag.
+  /// Whether no condition holds at any node of a tile.
   KOKKOS_INLINE_FUNCTION bool is_free(int tile) const {
-    if (rule.damping != 0.0 || (shared_tile.extent(0) > 0 && shared_tile(tile) != 0)) return false;
     const TilePosition at = tile_frame(tile).position;
     for (int i = 0; i < rule.conditions.count; ++i) {
       const NodeCondition& c = rule.conditions.list[i];
@@ -195,62 +193,38 @@ struct SolveVelocity {
     }
     return true;
   }
-  KOKKOS_INLINE_FUNCTION bool resists(const double* row) const {
-    bool found = false;
-    for (int x = 0; x < patch.nodes; ++x)
-      found |= row[x * sum_components + impedance_component] != 0.0;
-    return found;
+  KOKKOS_INLINE_FUNCTION bool is_free(const NodePlace& place) const {
+    for (int i = 0; i < rule.conditions.count; ++i)
+      if (rule.conditions.list[i].holds(place.index, place.level)) return false;
+    return true;
   }
 
-  /// solve_node and tally_node where no impedance acts on a row of a free tile.
-  KOKKOS_INLINE_FUNCTION void solve_free_row(
-      int tile,
-      int row,
-      const unsigned char* taken,
-      const double* total,
-      const NodeScales& scales,
-      double (&part)[tally_components][2]
-  ) const {
-    constexpr int width = motion_components(dimensions);
-    const double dt = tile_frame(tile).part;
-    double* const moved = &motion(first_motion(patch, tile)) + row * width;
-    for (int x = 0; x < patch.nodes; ++x) {
-      const double* const node = total + x * sum_components;
-      double* const out = moved + x * width;
-      const double inverse = node[0] > 0.0 ? 1.0 / node[0] : 0.0;
-      for (int d = 0; d < dimensions; ++d) {
-        const double before = node[1 + d] * inverse;
-        out[d] = before + dt * node[first_force(dimensions) + d] * inverse;
-        out[dimensions + d] = out[d] - before;
-      }
-      for (int d = 2 * dimensions; d < width; ++d) out[d] = 0.0;
-    }
-    const unsigned char* const counted = &counts(tile * patch.size + row);
-    for (int x = 0; x < patch.nodes; ++x) {
-      const double* const node = total + x * sum_components;
-      if (taken != nullptr && taken[x] != 0)
-        take_from_parent(tile, row + x, moved + x * width);
-      else if (counted[x] != 0 && node[0] > 0.0)
-        tally_free_node(dt, node, moved + x * width, scales, part);
-    }
-  }
-  KOKKOS_INLINE_FUNCTION void tally_free_node(
+  /// solve_node and tally_node of a node that forces of its particles alone move.
+  KOKKOS_INLINE_FUNCTION void solve_plain_node(
       double dt,
       const double* node,
-      const double* motion_of_node,
+      bool counted,
       const NodeScales& scales,
+      double* out,
       double (&part)[tally_components][2]
   ) const {
-    const double inverse = 1.0 / node[0];
+    const double mass = node[0];
+    const double inverse = mass > 0.0 ? 1.0 / mass : 0.0;
     double before = 0.0, after = 0.0, power = 0.0;
     for (int d = 0; d < dimensions; ++d) {
-      const double v = motion_of_node[d], v_n = node[1 + d] * inverse;
+      const double force = node[first_force(dimensions) + d];
+      const double v_n = node[1 + d] * inverse;
+      const double v = v_n + dt * force * inverse;
+      out[d] = v;
+      out[dimensions + d] = v - v_n;
       before += v_n * v_n;
       after += v * v;
-      power += node[first_force(dimensions) + d] * (v_n + v);
+      power += force * (v_n + v);
     }
-    add_split(0.5 * node[0] * before, scales.energy, part[0]);
-    add_split(0.5 * node[0] * after, scales.energy, part[1]);
+    for (int d = 2 * dimensions; d < motion_components(dimensions); ++d) out[d] = 0.0;
+    if (!counted || mass <= 0.0) return;
+    add_split(0.5 * mass * before, scales.energy, part[0]);
+    add_split(0.5 * mass * after, scales.energy, part[1]);
     add_split(0.5 * dt * power, scales.energy, part[2]);
   }
 
@@ -302,10 +276,6 @@ struct SolveVelocity {
     const TilePosition at = tile_frame(tile).position;
     const unsigned char* const taken =
         at.level > 0 ? &from_parent(tile * patch.size + row) : nullptr;
-    if (free && !resists(total)) {
-      solve_free_row(tile, row, taken, total, scales, part);
-      return false;
-    }
     double* const moved = &motion(first_motion(patch, tile)) + row * motion_components(dimensions);
     constexpr int impulses = impulse_components(dimensions);
     const double* const contact =
@@ -326,7 +296,13 @@ struct SolveVelocity {
         take_from_parent(tile, row + x, out);
         continue;
       }
+      const bool counted = counts(tile * patch.size + row + x) != 0;
       const double* const of_contact = contact != nullptr ? contact + x * impulses : nullptr;
+      // By what the node is, not its tile: which one counts it hangs on the tiles that are active.
+      if (shared_tile.extent(0) == 0 && is_plain(node) && (free || is_free(place))) {
+        solve_plain_node(dt, node, counted, scales, out, part);
+        continue;
+      }
       double own[tally_components] = {};
       const SolvedNode solved = solve_node(velocities, place, dt, node, of_contact, own);
       const Velocity& v = solved.v;
@@ -336,7 +312,7 @@ struct SolveVelocity {
         out[dimensions + d] = v.after[d] - v.before[d];
       }
       for (int d = 2 * dimensions; d < motion_components(dimensions); ++d) out[d] = 0.0;
-      if (counts(tile * patch.size + row + x) == 0 || node[0] <= 0.0) continue;
+      if (!counted || node[0] <= 0.0) continue;
       tally_node(dt, node[0], solved.force, solved.drag, solved.resisted, v, own);
       if (of_contact != nullptr) tally_contact(of_contact, v, own);
       own[12] = share * own[5];
