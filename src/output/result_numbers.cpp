@@ -27,10 +27,6 @@ void add_work_lines(const Scene& scene, const RunTotals& totals, std::vector<std
   if (!lengths.empty()) lines.push_back("particle-steps by length of step: " + share_text(lengths));
 }
 
-}  // namespace
-
-namespace {
-
 /// Depth from the outer face, and in the last body that the jet has reached.
 std::string depth_words(const Scene& scene, const Penetration& p) {
   std::string text = p.through
@@ -87,16 +83,14 @@ std::string zones_words(const Scene& scene, const RockZones& zones) {
   return text;
 }
 
-}  // namespace
-
-std::vector<std::string> result_numbers(
+/// How deep, what hole, what of the rock, whether at rest, and how sure.
+void add_hole_lines(
     const Scene& scene,
-    const RunTotals& totals,
+    double time,
     const Penetration& penetration,
     const RunSummary& summary,
-    const Prediction& prediction
+    std::vector<std::string>& lines
 ) {
-  std::vector<std::string> lines;
   if (scene.jet.present || penetration.met)
     lines.push_back(
         penetration.met ? depth_words(scene, penetration) : "no depth: the jet has hit no target"
@@ -110,13 +104,26 @@ std::vector<std::string> result_numbers(
   if (penetration.met)
     lines.push_back(
         "error of the depth from the size of the cells: " +
-        depth_doubt_text(depth_doubt(scene, totals.time, penetration))
+        depth_doubt_text(depth_doubt(scene, time, penetration))
     );
   if (penetration.met && is_divided(scene))
     lines.push_back(
         "error of the depth of the hole that is as wide as the jet: " +
-        depth_doubt_text(probed_depth_doubt(scene, totals.time, penetration))
+        depth_doubt_text(probed_depth_doubt(scene, time, penetration))
     );
+}
+
+}  // namespace
+
+std::vector<std::string> result_numbers(
+    const Scene& scene,
+    const RunTotals& totals,
+    const Penetration& penetration,
+    const RunSummary& summary,
+    const Prediction& prediction
+) {
+  std::vector<std::string> lines;
+  add_hole_lines(scene, totals.time, penetration, summary, lines);
   const Ledger& ledger = totals.ledger;
   const NumericalEnergy energy = numerical_energy(ledger);
   lines.push_back(number_line(

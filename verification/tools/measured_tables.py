@@ -31,9 +31,9 @@ def moved(text, digits):
 
 def depths_of_cells():
     head = (
-        "# Depth of the jet of perforation_120us.xml [m] at a time [s]: of runs with cells of a size [m], of `finest` cells that only parts\n"
+        "# Depth of the jet of perforation_120us.xml [m] at a time [s]: of runs with cells of a size [m], of `finest` cells that only\n"
     )
-    head += "# of the path had, and by the hydrodynamic estimate.\n" + HEAD.format(
+    head += "# parts of the path had, and by the hydrodynamic estimate.\n" + HEAD.format(
         "perforation_cells.csv and estimated_depths.csv of verification/results")
     runs = [("finest" if row["cells_mm"] == FINEST else "run", moved(row["cells_mm"], -3), moved(row["time_us"], -6),
         moved(row["depth_mm"], -3))
