@@ -24,6 +24,7 @@ from tools.write_pages import write_pages
 RESULTS = pathlib.Path(__file__).resolve().parent / "results"
 STORED = RESULTS / "depth_shots.json"
 SCATTER = RESULTS / "depth_scatter.json"
+KEPT = ("depth", "probed_depth", "channel_volume", "profile", "lost", "cpu_seconds")
 COURANT = ("0.8", "0.795", "0.79", "0.785", "0.78", "0.775", "0.77", "0.765")
 DIVIDED = {"Jet/Particles Per Cell": "2", "Jet/Splits": "4", "Output/Field Interval": "0 us"}
 
@@ -84,7 +85,7 @@ def keep_scatter(cells, courant, one):
     """Depths of one of several runs that should agree."""
     print(cells, courant, one["probed_depth"], flush=True)
     found = json.loads(SCATTER.read_text()) if SCATTER.exists() else {}
-    found.setdefault(cells, {})[courant] = {name: one[name] for name in ("depth", "probed_depth", "channel_volume", "lost", "cpu_seconds")}
+    found.setdefault(cells, {})[courant] = {name: one[name] for name in KEPT}
     SCATTER.write_text(json.dumps(found, indent=1, sort_keys=True) + "\n")
 
 

@@ -186,6 +186,26 @@ std::size_t rows_as_wide(const std::vector<double>& radii, double least, std::si
   return wide;
 }
 
+/// In how many of its own diameters on either side a probe looks for rows as wide as it.
+constexpr double diameters_around = 5.0;
+
+/// Rows from the face to where no more than half of the rows on either side are as wide as a probe.
+/// Fewer are looked at near the ends, as many on one side as on the other.
+std::size_t rows_mostly_as_wide(const std::vector<double>& radii, double probe, double bin) {
+  const auto reach = static_cast<std::size_t>(std::lround(2.0 * diameters_around * probe / bin));
+  std::vector<std::size_t> wide_before(radii.size() + 1, 0);
+  for (std::size_t row = 0; row < radii.size(); ++row)
+    wide_before[row + 1] = wide_before[row] + (radii[row] >= probe ? 1 : 0);
+  std::vector<double> mostly(radii.size());
+  for (std::size_t row = 0; row < radii.size(); ++row) {
+    const std::size_t side = std::min({reach, row, radii.size() - 1 - row});
+    const std::size_t wide = wide_before[row + side + 1] - wide_before[row - side];
+    mostly[row] = 2 * wide > 2 * side + 1 ? probe : 0.0;
+  }
+  const auto crumbs = static_cast<std::size_t>(2.0 * probe / bin);
+  return rows_as_wide(mostly, probe, std::max<std::size_t>(1, crumbs));
+}
+
 }  // namespace
 
 void measure_channel(const std::vector<double>& radii, const JetPath& path, Penetration& result) {
@@ -197,8 +217,7 @@ void measure_channel(const std::vector<double>& radii, const JetPath& path, Pene
   const std::size_t open = rows_as_wide(radii, closed, 1);
   result.channel_depth = length_of(open);
   const double probe = std::max(closed, path.origin.radius);
-  const auto neck = static_cast<std::size_t>(2.0 * probe / path.bin);
-  result.probed_depth = length_of(rows_as_wide(radii, probe, std::max<std::size_t>(1, neck)));
+  result.probed_depth = length_of(rows_mostly_as_wide(radii, probe, path.bin));
   result.channel_radius_mid = radius_at(radii, open, 0.5 * static_cast<double>(open), closed);
 }
 

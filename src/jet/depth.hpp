@@ -27,10 +27,11 @@ struct Penetration {
   /// least a quarter of a cell away from the axis, so that crumbs in the channel, which fill one of
   /// them and then none, do not close it [length].
   double channel_depth = 0.0;
-  /// How far of the channel a probe comes that is as wide as the widest slug: whole rows whose wall
-  /// is at least as far from the axis as that slug's rim; crumbs and necks no longer than the probe
-  /// is wide do not stop it. Behind it a thread of spent metal may go on, whose length follows the
-  /// size of the cells (docs/trade.md, Depth at rest) [length].
+  /// How far the channel is as wide as the widest slug: whole rows, as long as the walls of most
+  /// rows within five of the slug's diameters on either side are at least as far from the axis as
+  /// its rim. Necks no longer than that do not count: they come and go. Behind it a thread of spent
+  /// metal may go on, whose length follows the size of the cells (docs/trade.md, Depth at rest)
+  /// [length].
   double probed_depth = 0.0;
   /// Distance from the axis to the wall, at half the channel depth; 0 without a channel,
   /// the width of the grid if there is no target [length]. The wall is where the target's

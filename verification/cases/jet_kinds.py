@@ -89,7 +89,8 @@ def run(barreno, full):
         "The rule of the discrete jet holds where the target comes to rest in the gaps. The two whole kinds "
         "are those of the rule. In the shot to 120 us, whose rock has strength, all kinds carry the same momentum and energy. The "
         "particles counted are those of kinematic_anomalies in summary.json at the end, and those that have been removed. Until the end "
-        "the jet's tip digs, which is nearly full of metal, and the grid does not see a gap that is shorter than a cell. In cells as wide as the "
+        "the jet's tip digs, which is nearly full of metal, and the grid does not see a gap that is shorter than a cell. In cells as wide "
+        "as the "
         "jet's radius the three depths therefore hardly differ. "
         "More of the continuous jet is removed, because its voids count towards Largest Expansion."
     )

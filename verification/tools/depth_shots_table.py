@@ -5,9 +5,10 @@ import json
 import statistics
 
 from tools.case_list import RESULTS
-from tools.depth_shots import TIMES
+from tools.depth_shots import SHOTS, STEP, TIMES, widest_slug
 
 DECK = "the deck"
+MADE_FROM = (DECK, "no confinement")  # shots that the intervals are made from; others try them
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 WHAT = ("depth", "probed depth")
@@ -15,16 +16,34 @@ WHAT = ("depth", "probed depth")
 APART = 3.0
 
 
+def wide_depth(profile, probe):
+    """How far a hole is as wide as a probe but for necks, by the rule of measure_channel (src/jet/channel.cpp), from the radii [mm] that
+    are stored every STEP mm [m]: so runs agree that were made before that rule."""
+    wide = [radius >= probe for radius in profile]
+    reach = round(10.0 * probe / STEP)
+    wide += [False] * reach
+    for row in range(len(profile)):
+        side = min(reach, row)
+        if 2 * sum(wide[row - side : row + side + 1]) <= 2 * side + 1:
+            return 1e-3 * STEP * (row + 0.5)
+    return 1e-3 * STEP * (len(profile) + 0.5)
+
+
+def with_wide_depth(one, radius=1.0):
+    return {**one, "wide_depth": wide_depth(one["profile"], 1e3 * widest_slug() * radius)}
+
+
 def shots():
     """{shot: {cells: what was measured}}"""
     found = json.loads((RESULTS / "depth_shots.json").read_text())
-    return {shot: {float(cells): one for cells, one in runs.items()} for shot, runs in found.items()}
+    return {shot: {float(cells): with_wide_depth(one, SHOTS[shot][1].get("radius", 1.0)) for cells, one in runs.items()}
+        for shot, runs in found.items()}  # fmt: skip
 
 
 def repeats():
     """{cells: runs of the deck that should agree}, of those cells with which there are several"""
     found = json.loads((RESULTS / "depth_scatter.json").read_text())
-    return {float(cells): list(runs.values()) for cells, runs in found.items() if len(runs) > 2}
+    return {float(cells): [with_wide_depth(one) for one in runs.values()] for cells, runs in found.items() if len(runs) > 2}
 
 
 def mean_at(cells, single, what, time):
@@ -33,8 +52,8 @@ def mean_at(cells, single, what, time):
 
 
 def deviation(runs, what, time):
-    """Standard deviation of one of several runs over their mean."""
-    depths = [at(one, what, time) for one in runs]
+    """Standard deviation of one of several runs over their mean, in the program's own numbers, which are finer than stored radii."""
+    depths = [at(one, what, time) if what == "depth" else one["probed_depth"] for one in runs]
     return statistics.stdev(depths) / statistics.mean(depths)
 
 
@@ -48,7 +67,7 @@ def times_of(what):
 
 
 def at(one, what, time):
-    return one["depth"][TIMES.index(time)] if what == "depth" else one["probed_depth"]
+    return one["depth"][TIMES.index(time)] if what == "depth" else one["wide_depth"]
 
 
 def changes(runs, coarse, fine, what):
@@ -63,16 +82,23 @@ def doubt(runs, what):
 
 
 def errors():
-    """{cells per radius: {what: (value, low, high)}} of the deck: its last error; and the range of those at every time that counts, widened
-    by what the smallest cells lack and by the scatter of runs."""
-    runs = shots()[DECK]
+    """{cells per radius: {what: (value, low, high)}}: the last error of the deck; and the range of those of MADE_FROM at every time that
+    counts, widened by what the smallest cells of the deck lack and by the scatter of runs. The smallest cells of another shot have the
+    error that they have in the deck."""
+    found, all_shots = {}, shots()
+    runs = all_shots[DECK]
     finest = max(runs)
-    found = {}
     for cells in sorted(runs):
         for what in WHAT:
-            all_of = changes(runs, cells, finest, what)
+            ranges = [changes(runs, cells, finest, what)]
+            for shot in MADE_FROM[1:]:
+                others = all_shots[shot]
+                own = max(others)
+                if cells in others and cells < own:
+                    ranges.append([at(others[cells], what, time) / at(others[own], what, time) * (1.0 + deck) - 1.0
+                        for time, deck in zip(times_of(what), changes(runs, own, finest, what))])  # fmt: skip
             more = doubt(runs, what) + scatter(what)
-            found.setdefault(cells, {})[what] = (all_of[-1], min(all_of) - more, max(all_of) + more)
+            found.setdefault(cells, {})[what] = (ranges[0][-1], min(map(min, ranges)) - more, max(map(max, ranges)) + more)
     return found
 
 
@@ -116,10 +142,11 @@ def scatter_table():
 
 LATER = "the deck, to 560 us"
 HEAD = """How wide the hole must be decides whether its depth is known. The thread is thinner than the jet. Where the hole is as wide as the
-widest slug, so that a probe of that diameter comes down (`probed_depth` in depth.csv and on the screen), it hardly grows after {rest} us
-({grown}), and its depth hardly follows the cells. It narrows slowly there, so that one neck decides between depths some per cent apart. Shots
-with divided particles at that time (`verification/depth_shots.py BARRENO`; the depth, and how far the hole is as wide as the jet [mm]; the
-interval is that of the program, made from the deck alone):
+widest slug, its depth hardly grows after {rest} us ({grown}), and it hardly follows the cells. It narrows slowly there, and necks come and
+go: one of a few millimetres decided between depths of 473 and 570 mm. So `probed_depth` (depth.csv, summary.json and the screen) passes
+necks of up to five diameters of that slug, where the hole is as wide on either side. Shots with divided particles at that time
+(`verification/depth_shots.py BARRENO`; the depth, and how far the hole is as wide as the jet [mm], from its radii every {step:g} mm; the
+interval is that of the program, made from {made}):
 """
 
 
@@ -142,9 +169,9 @@ def converged():
 
 def head():
     found = shots()
-    ends = {cells: [1e3 * found[shot][cells]["probed_depth"] for shot in (DECK, LATER)] for cells in sorted(found[LATER])}
+    ends = {cells: [1e3 * found[shot][cells]["wide_depth"] for shot in (DECK, LATER)] for cells in sorted(found[LATER])}
     grown = [f"{then:.0f} mm then and {later:.0f} mm at 560 us with {cells:g} cells per radius" for cells, (then, later) in ends.items()]
-    return HEAD.format(rest=REST, grown=", ".join(grown))
+    return HEAD.format(rest=REST, grown=", ".join(grown), step=STEP, made=" and ".join(MADE_FROM))
 
 
 PICTURE = """![Radius of the hole against depth, with several sizes of cells](pictures/hole_of_cells.png)
@@ -167,11 +194,11 @@ def table():
 def summary():
     """How many intervals hold the depth with smaller cells, apart from the shot that made them."""
     for what in WHAT:
-        all_of = [one for one in trials() if one[3] == what and one[0] != DECK]
+        all_of = [one for one in trials() if one[3] == what and one[0] not in (*MADE_FROM, LATER)]
         held = sum(one[-1] for one in all_of)
         words = "the depth" if what == "depth" else "the depth of the hole as wide as the jet"
         if all_of:
-            yield f"Of {len(all_of)} intervals of {words} in shots other than the deck, {held} hold the depth with smaller cells."
+            yield f"Of {len(all_of)} intervals of {words} in shots that they were not made from, {held} hold the depth with smaller cells."
 
 
 def section():

@@ -8,9 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace barreno {
 namespace {
@@ -71,28 +73,40 @@ TEST(Channel, EndsAtTheFirstClosedBin) {
   EXPECT_EQ(result.channel_radius_mid, 9.0);
 }
 
-TEST(Channel, AProbeStopsWhereTheHoleIsNarrowerThanTheJet) {
+/// A hole of one cell in radius, and solid rock behind it, but for rows that are changed.
+std::vector<double> walls_with(
+    std::size_t wide, std::size_t first, std::size_t past, double radius
+) {
+  std::vector<double> walls(60, 0.0);
+  std::fill_n(walls.begin(), wide, 1.0);
+  std::fill(
+      walls.begin() + static_cast<long>(first), walls.begin() + static_cast<long>(past), radius
+  );
+  return walls;
+}
+
+/// A probe half a cell in radius looks at five rows on either side.
+TEST(Channel, IsAsWideAsTheJetButForNecks) {
   JetPath path;
   path.bin = 1.0;
-  path.end = 5.0;
-  path.bins = 5;
-  path.origin.radius = 1.0;
-  Penetration result;
-  measure_channel({3.0, 2.5, 0.9, 0.9, 0.9}, path, result);
-  EXPECT_EQ(result.probed_depth, 2.0);
-  EXPECT_EQ(result.channel_depth, 5.0) << "which goes on as a thread";
-  measure_channel({3.0, 0.9, 0.1, 1.0, 0.9}, path, result);
-  EXPECT_EQ(result.probed_depth, 4.0) << "a neck that is no longer than the probe is wide";
-  measure_channel({3.0, 0.9, 0.9, 0.9, 2.0}, path, result);
-  EXPECT_EQ(result.probed_depth, 1.0) << "a longer one";
-  measure_channel({0.9, 0.9, 0.9, 3.0, 3.0}, path, result);
-  EXPECT_EQ(result.probed_depth, 0.0);
-  measure_channel({3.0, 3.0, 3.0, 3.0, 3.0}, path, result);
-  EXPECT_EQ(result.probed_depth, 5.0);
+  path.end = 60.0;
+  path.bins = 60;
+  path.origin.radius = 0.5;
+  const auto probed = [&](const std::vector<double>& walls) {
+    Penetration result;
+    measure_channel(walls, path, result);
+    return result.probed_depth;
+  };
+  for (const std::size_t wide : {0U, 1U, 2U, 7U, 30U, 60U})
+    EXPECT_EQ(probed(walls_with(wide, 0, 0, 0.0)), static_cast<double>(wide)) << "a plain hole";
+  EXPECT_EQ(probed(walls_with(30, 10, 15, 0.4)), 30.0) << "a neck of five diameters";
+  EXPECT_EQ(probed(walls_with(30, 10, 16, 0.4)), 10.0) << "a longer one";
+  EXPECT_EQ(probed(walls_with(30, 10, 22, 0.4)), 10.0) << "a thread, with a hole behind it";
+  EXPECT_EQ(probed(walls_with(30, 30, 55, 0.4)), 30.0) << "a thread";
+  EXPECT_EQ(probed(walls_with(30, 40, 45, 0.6)), 30.0) << "a bubble in a thread";
+  EXPECT_EQ(probed(walls_with(0, 10, 40, 2.0)), 0.0) << "a closed entrance";
   path.origin.radius = 0.0;  // no slug: a probe is a quarter of a cell in radius
-  measure_channel({3.0, 0.1, 0.5, 0.1, 0.1}, path, result);
-  EXPECT_EQ(result.probed_depth, 3.0);
-  EXPECT_EQ(result.probed_depth, result.channel_depth);
+  EXPECT_EQ(probed(walls_with(30, 10, 12, 0.4)), 30.0);
 }
 
 TEST(Penetration, FollowsAJetOfKnownMotion) {

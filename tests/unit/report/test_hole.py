@@ -156,19 +156,6 @@ def check_wide_particles(folder):
     assert np.allclose(rings.porosity[5:16], crushed, atol=1e-12), rings.porosity
 
 
-def check_probe():
-    """As the rows of measure_channel in src/jet/channel.cpp, with two rows in a cell."""
-    def reached(*radii, probe=1.0):
-        radius = np.repeat(np.array(radii), holes.ROWS)
-        return holes.Hole(1.0, 0.0, 0.5 * (np.arange(len(radius)) + 0.5), radius, False).probed_depth(probe)
-
-    assert reached(3.0, 2.5, 0.9, 0.9, 0.9) == 2.0
-    assert reached(3.0, 0.9, 0.1, 1.0, 0.9) == 4.0, "a neck that is no longer than the probe is wide"
-    assert reached(3.0, 0.9, 0.9, 0.9, 2.0) == 1.0, "a longer one"
-    assert reached(0.9, 0.9, 0.9, 3.0, 3.0) == 0.0
-    assert reached(np.inf, 3.0, 3.0, 0.0, 0.0) == 3.0, "a gap between two bodies has no wall"
-
-
 def check_porosity():
     """Hawkins' formula for one zone; closed pores let next to nothing through."""
     assert abs(porosity.skin(np.array([1.0, 2.0, 9.0]), np.array([0.1, 1.0])) - 9.0 * np.log(2.0)) < 1e-12
@@ -182,7 +169,6 @@ def main():
         for check in (check_straight, check_deformed, check_debris, check_slot, check_closed, check_through, check_gap, check_zones,
                 check_wide_particles):
             check(folder)
-    check_probe()
     check_porosity()
     print("holes and their zones are measured as they were laid")
 

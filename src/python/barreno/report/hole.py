@@ -47,24 +47,6 @@ class Hole:
         """Half-way between the last open row and the next [m]."""
         return (self.open_rows + 0.5) * self.cell / ROWS if self.open_rows else 0.0
 
-    def probed_depth(self, radius):
-        """How far a probe comes [m]; crumbs and necks that are no longer than it is wide do not stop it.
-
-        The run measures its own probed_depth in whole cells; where a hole narrows slowly, a neck that one of the two finds too long
-        makes them differ by several per cent.
-
-        Parameters
-        ----------
-        radius : float
-            Of the probe [m].
-        """
-        wide = np.flatnonzero(self.radius >= max(radius, CLOSED * self.cell)) + 1
-        neck = max(ROWS, int(2.0 * radius * ROWS / self.cell))
-        before = np.concatenate(([0], wide[:-1]))
-        stops = np.flatnonzero(wide - 1 - before > neck)
-        reached = wide[: stops[0]] if len(stops) else wide
-        return float(reached[-1]) * self.cell / ROWS if len(reached) else 0.0
-
     @property
     def entrance_diameter(self):
         return 2.0 * float(self.radius[self.first_row]) if self.open_rows else 0.0
