@@ -30,13 +30,14 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
 MARK = re.compile(r"<!-- (?!end of )([\w.]+) -->\n(.*?)<!-- end of \1 -->", re.DOTALL)
 FIGURE = re.compile(r"\d[\d.,e+-]*(?: (?:to|and|or) \d[\d.,e+-]*)* ?(?:%|(?:[nmu]?s|min|minutes?|seconds?|hours?|[KMG]B|[KMG]B/s|times)\b)")
-CODE = re.compile(r"`[^`\n]*`|\]\([^)\n]*\)|^ {4}.*$", re.MULTILINE)  # and targets of links
+CODE = re.compile(r"`[^`\n]*`|\]\([^)\n]*\)|^ {4}.*$|\w+\.xml", re.MULTILINE)  # and targets of links, and decks
 WRITTEN = ("README.md", "input_xml/README.md", "docs/architecture.md", "docs/checkpoints.md", "docs/converge.md", "docs/development.md",
            "docs/drive.md", "docs/extending.md", "docs/figures.md", "docs/finite_elements.md", "docs/materials/arenisca.md",
            "docs/materials/poroelastic.md", "docs/method.md", "docs/output.md", "docs/paper.md", "docs/performance.md", "docs/sweep.md",
            "docs/uncertainty.md", "verification/trade_notes.md")  # fmt: skip
 SETTINGS = {
     "docs/checkpoints.md": ("1 MB",),  # of a chunk
+    **dict.fromkeys(("docs/converge.md", "docs/figures.md", "docs/method.md"), ("120 us",)),  # which a deck is called by
     "docs/finite_elements.md": ("2 %",),  # of strain, in the example
     "docs/paper.md": ("5 %", "30 us", "60 us"),  # of pores, in a deck; when depths are compared
     "docs/performance.md": ("1 MB",),
