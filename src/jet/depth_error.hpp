@@ -31,8 +31,8 @@ DepthError measured_depth_error(
     DepthOf whose = DepthOf::run
 );
 
-/// The same of slugs that are longer or shorter than those of perforation_120us.xml, beside their radius;
-/// longer than measured they count as the longest.
+/// The same of slugs that are longer or shorter than those of perforation_120us.xml, beside their
+/// radius; longer than measured they count as the longest.
 /// @param length_over_radius  of the thinnest part, at least shortest_measured_length(tables)
 DepthError with_length(
     const DepthTables& tables, DepthError error, double cells_per_radius, double length_over_radius

@@ -13,8 +13,8 @@ namespace barreno {
 /// How far a jet comes by the hydrodynamic theory of penetration: a slug of density rho_j digs at
 /// u = v / (1 + k), k = sqrt(rho_t / rho_j), rho_j = digging_density(), and is consumed at v - u
 /// (Birkhoff, MacDougall, Pugh and Taylor, J. Appl. Phys. 19, 563, 1948). No strength, no
-/// compression, no afterflow: of the jet of perforation_120us.xml it finds 97 % of the depth at 10 us and
-/// 74 % at 90 us.
+/// compression, no afterflow: of the jet of perforation_120us.xml it finds 97 % of the depth at 10
+/// us and 74 % at 90 us.
 struct JetEstimate {
   double depth = 0.0;        ///< below the outer face [length]
   double time = 0.0;         ///< when the last slug was consumed, or that of the estimate [time]

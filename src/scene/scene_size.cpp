@@ -29,8 +29,8 @@ constexpr double bytes_per_parcel = 128.0;
 constexpr double bytes_per_refined_tile = 2.0;
 constexpr double bytes_per_place = 4.0 / 256.0;
 /// State arrays, their share of active tiles and what brings them into a file, of which a run's
-/// largest memory consists: 1040 bytes in the plane between perforation_120us.xml with two fidelities,
-/// 2140 in space beyond the program, perforation_3d.xml.
+/// largest memory consists: 1040 bytes in the plane between perforation_120us.xml with two
+/// fidelities, 2140 in space beyond the program, perforation_3d.xml.
 constexpr double estimated_particle_bytes(int dimensions) {
   return dimensions == 3 ? 2000.0 : 1000.0;
 }
