@@ -13,6 +13,7 @@ import pathlib
 import re
 import sys
 import tempfile
+import time
 
 import numpy as np
 import pandas
@@ -263,7 +264,8 @@ def check_switches(view, jet):
     marks = "return document.getElementById('explore-marks').toDataURL();"
     without = view.driver.execute_script(marks)
     view.switch("cells")
-    assert view.driver.execute_script(marks) != without
+    # On a busy machine a frame may be late.
+    assert any(view.driver.execute_script(marks) != without or time.sleep(0.1) for _ in range(50)), "no outlines of cells"
     view.switch("particles")
     assert view.pixels() != before
     view.switch("particles")
