@@ -35,9 +35,10 @@ struct Meridian {
 };
 
 double length_of(const Cone& cone) {
-  double square = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) square += std::pow(cone.end[i] - cone.start[i], 2);
-  return std::sqrt(square);
+  // Squares of what a deck may say overflow.
+  return std::hypot(
+      cone.end[0] - cone.start[0], cone.end[1] - cone.start[1], cone.end[2] - cone.start[2]
+  );
 }
 
 Meridian meridian_of(const Cone& cone, double length, const Vector& x) {
