@@ -29,14 +29,13 @@ struct MirrorSums {
   SymmetryPlanes planes;
   Patch patch;
   ArrayView<TileFrame> tile_frame;
-  ArrayView<double> sums, mirrored;
   Nodes nodes;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     // Nothing is left behind planes of kept sums; those across y have more to tell of them.
     if (!planes.any_axial && nodes.keeps_sums(tile)) return;
     if (planes.any_axial)
-      for (std::size_t i = 0; i < 2; ++i) mirrored(first_mirrored(tile) + i) = 0.0;
+      for (std::size_t i = 0; i < 2; ++i) nodes.mirrored(first_mirrored(tile) + i) = 0.0;
     for (int i = 0; i < planes.count; ++i) {
       const SymmetryPlane& plane = planes.list[i];
       SymmetryPlanes::for_each_image(
@@ -53,13 +52,13 @@ struct MirrorSums {
   ) const {
     const int dimensions = patch.dimensions;
     const int force = first_force(dimensions);
-    double* const values = &sums(first_sum(patch, tile));
+    double* const values = &nodes.sums(first_sum(patch, tile));
     double* const from = values + behind * sum_components;
     double* const to = values + image * sum_components;
     to[impedance_component] += take(from[impedance_component]);
     if (plane.axis == 1) {
-      mirrored(first_mirrored(tile)) += from[2];
-      mirrored(first_mirrored(tile) + 1) += from[force + 1];
+      nodes.mirrored(first_mirrored(tile)) += from[2];
+      nodes.mirrored(first_mirrored(tile) + 1) += from[force + 1];
       from[kept_mass] = from[0];
     }
     to[0] += take(from[0]);
@@ -150,11 +149,7 @@ void mirror_sums(const SymmetryPlanes& planes, const Grid& grid, Nodes& nodes) {
   if (planes.count == 0) return;
   const Region region("mirror_sums");
   if (planes.any_axial) make_room("mirrored", first_mirrored(grid.active), nodes.mirrored);
-  launch(
-      "mirror_sums",
-      range(grid.active),
-      MirrorSums{planes, grid.patch, grid.tile_frame, nodes.sums, nodes.mirrored, nodes}
-  );
+  launch("mirror_sums", range(grid.active), MirrorSums{planes, grid.patch, grid.tile_frame, nodes});
 }
 
 void mirror_velocities(
