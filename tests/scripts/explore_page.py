@@ -54,7 +54,7 @@ class View:
     def until(self, found):
         from selenium.webdriver.support.ui import WebDriverWait
 
-        WebDriverWait(self.driver, PATIENCE).until(lambda _: found())
+        WebDriverWait(self.driver, PATIENCE, poll_frequency=0.02).until(lambda _: found())
 
     def settle(self):
         """Two frames later all is drawn."""
@@ -76,7 +76,7 @@ class View:
     def press(self, key):
         from selenium.webdriver.common.action_chains import ActionChains
 
-        ActionChains(self.driver).send_keys(key).perform()
+        ActionChains(self.driver, duration=0).send_keys(key).perform()
         self.settle()
 
     def choose(self, side, name):
@@ -121,7 +121,7 @@ class View:
         right, down = (along, across) if self.lying else (across, along)
         # Places count from the middle of what the window shows of the stage.
         self.driver.execute_script("arguments[0].scrollIntoView({block: 'center'});", stage)
-        ActionChains(self.driver).move_to_element_with_offset(stage, int(right * stage.size["width"]),
+        ActionChains(self.driver, duration=0).move_to_element_with_offset(stage, int(right * stage.size["width"]),
             int(down * stage.size["height"])).perform()
         self.settle()
         lines = self.driver.execute_script(
