@@ -161,7 +161,8 @@ std::vector<Feature> step_features(const Scene& scene) {
        {"plan_subcycles", "end_tile_steps", "carry_tile_steps", "find_early_arrivals"}},
       {"returned losses",
        {step.return_losses,
-        step.return_losses ? "losses of a step become heat of metals" : "Return Losses is false"},
+        step.return_losses ? "losses of a step become heat of materials that have it"
+                           : "Return Losses is false"},
        [](Scene& without) { without.step.return_losses = false; },
        {}},
       {"second projection",

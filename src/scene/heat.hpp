@@ -23,12 +23,21 @@ inline constexpr bool keeps_heat<
         std::declval<typename Model::History&>()
     ))>> = true;
 
+/// Rock with heat: add_heat(heat, stress, history).
+template <class Model, class = void>
+inline constexpr bool is_heated_rock = false;
+template <class Model>
+inline constexpr bool is_heated_rock<Model, std::enable_if_t<Model::Law::heated>> = true;
+
 /// What a step loses of the energy of a material's particles becomes their heat. docs/method.md
 /// (2.13)
 inline bool takes_losses(const Scene& scene, int material) {
   return scene.step.return_losses &&
          std::visit(
-             [](const auto& model) { return keeps_heat<std::decay_t<decltype(model)>>; },
+             [](const auto& model) {
+               using Model = std::decay_t<decltype(model)>;
+               return keeps_heat<Model> || is_heated_rock<Model>;
+             },
              scene.materials[static_cast<std::size_t>(material)].material().model
          );
 }

@@ -328,6 +328,52 @@ struct Sample<DamagedWetArenisca> : Sample<Arenisca> {
   }
 };
 
+/// Rock with damage that heats.
+template <>
+struct Sample<HeatedArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() { return heated(Sample<DamagedArenisca>::parameters()); }
+  static Arenisca::Parameters heated(Arenisca::Parameters p) {
+    p.specific_heat = 1000.0;
+    p.grueneisen = 0.7;
+    p.grain_density = 2650.0;
+    p.initial_temperature = 300.0;
+    p.melting_temperature = 2500.0;
+    return p;
+  }
+  static std::vector<std::pair<Arenisca::Parameters, std::string>> contradictions() {
+    using P = Arenisca::Parameters;
+    std::vector<std::pair<P, std::string>> list(10, {parameters(), "Specific heat"});
+    list[0].first.specific_heat = 0.0;
+    list[0].second = "Grueneisen parameter";
+    list[1].first = Sample<Arenisca>::parameters();
+    list[1].first.melting_temperature = 2000.0;
+    list[1].second = "Melting temperature";
+    list[2].first = Sample<Arenisca>::parameters();
+    list[2].first.grain_density = 2650.0;
+    list[2].second = "Grain density";
+    list[3].first.grain_density = 0.0;
+    list[3].second = "Grueneisen parameter";
+    list[4].first.grueneisen = 0.0;
+    list[4].second = "Grain density";
+    list[5].first.melting_temperature = 200.0;
+    list[5].second = "Melting temperature";
+    for (std::size_t i = 6; i < 9; ++i)
+      list[i].first = heated(Sample<Arenisca>::parameters());  // rock without damage
+    list[6].first.T1_rate_dependence = 1e-5;
+    list[7].first.J3_type = arenisca::Lode::gudehus;
+    list[7].first.J3_psi = 0.8;
+    list[8].first.return_solver = 1;
+    list[9].first.specific_heat = -1.0;
+    return list;
+  }
+};
+template <>
+struct Sample<HeatedWetArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() {
+    return Sample<HeatedArenisca>::heated(Sample<DamagedWetArenisca>::parameters());
+  }
+};
+
 /// The same rock full of water, weaker in triaxial extension than in compression, with the
 /// published backstress at the elastic centre.
 template <>

@@ -48,6 +48,10 @@ Arenisca::Parameters with_features(Arenisca::Parameters p) {
   p.fracture_energy = features.fracture_energy;
   p.residual_slope = features.residual_slope;
   p.damage_pressure = features.damage_pressure;
+  p.specific_heat = features.specific_heat;
+  p.grueneisen = features.grueneisen;
+  p.grain_density = features.grain_density;
+  p.melting_temperature = features.melting_temperature;
   p.J3_type = features.J3_type;
   p.J3_psi = features.J3_psi;
   return p;
@@ -86,6 +90,10 @@ private:
     h.equivalent_plastic_strain = rock.history.equivalent_plastic_strain;
     if constexpr (Law::scattered) h.coherence = 0.5 + unit();
     if constexpr (Law::damaged) h.damage = unit() < 0.5 ? unit() : 0.0;
+    if constexpr (Law::heated) {
+      h.temperature = 300.0 + (unit() < 0.5 ? 2400.0 * unit() : 0.0);
+      h.thermal_expansion = unit() < 0.5 ? 1e-4 * unit() : 0.0;
+    }
     if constexpr (Law::rated) {
       h.overstress_xx = 1e7 * (unit() - 0.5);
       h.overstress_xy = 1e7 * (unit() - 0.5);

@@ -14,6 +14,7 @@ from performance import many_ranks
 from tools import measured_tables
 from performance import off_costs
 from tools import paper_parts
+from tools import rock_cards_table
 import predictions
 from performance import scaling
 from performance import scaling_model
@@ -64,6 +65,7 @@ PARTS = {
     "many_ranks.py": many_ranks.stored_part,
     "off_costs.py": off_costs.stored_part,
     "pore_cost": pore_cost,
+    "rock_cards": rock_cards_table.lines,
     "scaling.py": scaling.stored_part,
     "scaling_model.py": scaling_model.stored_part,
     "step_cost.py": step_cost.stored_part,

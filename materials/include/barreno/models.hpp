@@ -38,6 +38,8 @@ using AnyModel = arenisca::WithOtherParts<JoinedVariants<
         AngledWetArenisca,
         DamagedArenisca,
         DamagedWetArenisca,
+        HeatedArenisca,
+        HeatedWetArenisca,
         GeneralArenisca>>::type>;
 
 /// Name of a model, and that of its form where several models serve one name: "Arenisca wet".

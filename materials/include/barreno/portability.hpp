@@ -20,6 +20,16 @@
 #define BARRENO_ALIKE inline
 #endif
 
+/// BARRENO_ONCE marks long function templates that are compiled once for the forms of the library
+/// (arenisca/compiled_once.hpp).
+#if defined(__CUDACC__) || defined(__HIP__)
+#define BARRENO_ONCE BARRENO_FUNCTION
+#elif defined(__GNUC__)
+#define BARRENO_ONCE __attribute__((noinline))
+#else
+#define BARRENO_ONCE
+#endif
+
 /// BARRENO_INLINED marks a short point function that must stand within its callers: tensors of
 /// lanes that go through a call leave their registers.
 #if defined(__CUDACC__) || defined(__HIP__) || !defined(__GNUC__)

@@ -100,7 +100,8 @@ Entries<StepSpec> scheme_entries() {
       defaulted(
           &StepSpec::return_losses,
           "Return Losses",
-          "numerical energy losses of a step in a metal (transfer and stress_integration of "
+          "numerical energy losses of a step in a metal, or rock with heat (transfer and "
+          "stress_integration of "
           "history.csv) become its heat; with FLIP, stress last, without damping"
       )};
 }

@@ -171,6 +171,15 @@ struct UpdateStress {
         model.correct_energy(before, R(stress_work / begun.mass), history);
       }
     }
+    if constexpr (is_heated_rock<Model>) {
+      if (particles.heat.components > 0) {  // as above; the law's own works are known
+        stress_work = group.get(particles.heat);
+        const R known = elastic_work + reference_volume * outcome.plastic_work + viscous;
+        const R missed = stress_work - known;
+        elastic_work = elastic_work + missed;
+        model.add_heat(R(missed / begun.mass), update.stress, history);
+      }
+    }
     group.put_history(good, history, particles.history);
     tally_works(
         good,

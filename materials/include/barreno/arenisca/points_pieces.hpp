@@ -60,12 +60,23 @@ template <class R, class Law>
 using RockOf = typename RockFor<R, Law>::type;
 
 /// @param holder of the points' coherence: a history or a step
+/// @param damage of the points, that of the holder or another
+template <class R, class Law, class Holder>
+BARRENO_FUNCTION RockOf<R, Law> rock_with_damage(
+    const Law& law, const Holder& holder, const R& damage
+) {
+  if constexpr (Law::heated)
+    return RockOf<R, Law>(law, holder.coherence, damage, law.heat.softened(holder.temperature));
+  else
+    return RockOf<R, Law>(law, holder.coherence, damage);
+}
+/// @param holder of the points' coherence: a history or a step
 template <class R, class Law, class Holder>
 BARRENO_FUNCTION decltype(auto) rock_of(const Law& law, const Holder& holder) {
   if constexpr (Law::about_centre)
     return RockOf<R, Law>(law, holder.coherence, holder.fluid_mass_ratio);
   else if constexpr (Law::damaged)
-    return RockOf<R, Law>(law, holder.coherence, holder.damage);
+    return rock_with_damage<R>(law, holder, holder.damage);
   else if constexpr (Law::scattered)
     return RockOf<R, Law>(law, holder.coherence);
   else

@@ -3,6 +3,7 @@
 
 #include "barreno/arenisca/points_angle.hpp"
 #include "barreno/arenisca/points_damage.hpp"
+#include "barreno/arenisca/points_heat.hpp"
 #include "barreno/arenisca/points_pieces.hpp"
 #include "barreno/arenisca/points_pores.hpp"
 

@@ -198,6 +198,7 @@ template <class R, class Law>
 struct StepOf : FluidOfStep<R, Law::wet>,
                 OfPieces<R, Law::scattered, Law::about_centre>,
                 DamageOfStep<R, Law::damaged>,
+                HeatOfStep<R, Law::heated>,
                 Missed<R, Law, Law::rated> {
   StateOf<R, Law> state;
   CapOf<R> cap;
@@ -365,7 +366,7 @@ BARRENO_FUNCTION R damage_points(
   const R lost = per_shear * law.damage.fall(a.end.x, step.coherence) * (guess - step.damage);
   const MaskOf<R> grows = sound & choose.alike(MaskOf<R>(lost > negligible * a.allowed));
   if (!real::any(grows)) return guess;
-  const RockOf<R, Law> weaker(law, step.coherence, guess);
+  const RockOf<R, Law> weaker = rock_with_damage<R>(law, step, guess);
   SubstepOf<R, Law> again = part;
   assign_where(grows, cap_of(weaker, part.n.evp), again.cap);
   AttemptOf<R, Law> b = attempt_points(weaker, grows, again, choose);
@@ -381,7 +382,7 @@ BARRENO_FUNCTION R damage_points(
 
 /// One attempt of every active point, and what follows from it.
 template <class R, class Law, class Choice = OwnSubsteps>
-BARRENO_FUNCTION void advance_step(const Law& law, StepOf<R, Law>& step, Choice choose = {}) {
+BARRENO_ONCE void advance_step(const Law& law, StepOf<R, Law>& step, Choice choose = {}) {
   const MaskOf<R> last = choose.alike(MaskOf<R>(step.done + step.fraction >= 1.0));
   const R fraction = real::select(last, 1.0 - step.done, step.fraction);
   const auto& rock = rock_of<R>(law, step);

@@ -32,6 +32,7 @@ struct DryRock {
   static constexpr bool rated = false;         ///< no overstress
   static constexpr bool about_centre = false;  ///< I1 is not counted from an elastic centre
   static constexpr bool damaged = false;       ///< its strength does not fall
+  static constexpr bool heated = false;        ///< no heat
 
   Elasticity elasticity;
   SurfaceOf<double, typename Parts::ShearLimit> surface;

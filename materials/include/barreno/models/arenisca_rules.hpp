@@ -112,6 +112,17 @@ inline std::string check_damage(const AreniscaParameters& p) {
   return {};
 }
 
+/// Heat goes with what damage goes with.
+inline std::string check_heat(const AreniscaParameters& p) {
+  if (p.specific_heat == 0.0) return {};
+  const bool other = count_of_others(p) > 0;
+  if (p.T1_rate_dependence == 0.0 && p.J3_type == 0 && !other && is_plain_law(p, p.fluid_B0 > 0.0))
+    return {};
+  return named("Specific heat", p.specific_heat) +
+         " (heat) goes with neither rate dependence, J3_type, the bisection, a published pore "
+         "fluid nor parts from outside; leave those or the heat out.";
+}
+
 /// One part in place of a published one, in rock without the features that have forms of their own.
 inline std::string check_other_parts(const AreniscaParameters& p) {
   std::string words;
@@ -147,6 +158,7 @@ inline std::string check_arenisca(const AreniscaParameters& p) {
         arenisca::check_scattered_vertex,
         arenisca::check_crushed_bulk_modulus,
         arenisca::check_damage,
+        arenisca::check_heat,
         arenisca::check_other_parts})
     if (problem.empty()) problem = rule(p);
   return problem;

@@ -51,6 +51,7 @@ BARRENO_FUNCTION StartOf<R, Law> start_of(const RockOf<R, Law>& rock, const Poin
   n.s = deviator(stress);
   n.evp = p.history.plastic_volume_strain;
   n.dv = trace(p.increment.strain);
+  if constexpr (Law::heated) n.dv = n.dv - p.history.thermal_expansion;
   n.de = deviator(p.increment.strain);
   if constexpr (Law::wet) {
     n.pores = pores_before<R>(rock, p.history);
@@ -176,6 +177,8 @@ BARRENO_ALIKE MaskOf<R> end_step(
     const PoresOf<R> begin = pores_before<R>(rock_of_pores<R>(rock, step), h);
     add_overstress<R>(rock, good, missed, step.mean_moduli, begin, p, end);
   }
+  R mean_before{};
+  if constexpr (Law::heated) mean_before = trace(p.stress) * (1.0 / 3.0);
   assign_where(good, end.stress, p.stress);
   h.plastic_volume_strain = real::select(good, step.state.evp, h.plastic_volume_strain);
   h.equivalent_plastic_strain =
@@ -186,6 +189,7 @@ BARRENO_ALIKE MaskOf<R> end_step(
   out.elastic_work = real::select(good, mean_ratio * end.elastic_work, out.elastic_work);
   out.plastic_work = real::select(good, mean_ratio * end.plastic_work, out.plastic_work);
   out.longitudinal_modulus = real::select(good, step.modulus, out.longitudinal_modulus);
+  if constexpr (Law::heated) heat_points<R>(rock, good, mean_before, p);
   return flows & step.refused;
 }
 
@@ -201,6 +205,7 @@ BARRENO_ALIKE StepOf<R, Law> begin_rock(const Law& law, const MaskOf<R>& flows, 
     step.damage = p.history.damage;
     step.fracture_strain = p.history.fracture_strain;
   }
+  if constexpr (Law::heated) step.temperature = p.history.temperature;
   if constexpr (Law::about_centre) step.fluid_mass_ratio = p.history.fluid_mass_ratio;
   return step;
 }
@@ -250,7 +255,10 @@ BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Po
   }
   out.elastic_work = mean_ratio * out.elastic_work;
   keep_pores<R>(rock, elastic, whole.x, end.pores, p.history);
+  R mean_before{};
+  if constexpr (Law::heated) mean_before = trace(p.stress) * (1.0 / 3.0);
   assign_where(elastic, end.stress, p.stress);
+  if constexpr (Law::heated) heat_points<R>(law, elastic, mean_before, p);
   return sound & !elastic;
 }
 

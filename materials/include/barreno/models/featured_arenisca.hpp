@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/compiled_once.hpp"
 #include "barreno/arenisca/points_angle.hpp"
 #include "barreno/arenisca/points_damage.hpp"
+#include "barreno/arenisca/points_heat.hpp"
 #include "barreno/models/arenisca.hpp"
 #include "barreno/models/wet_arenisca.hpp"
 
@@ -13,11 +15,12 @@ namespace barreno {
 
 /// Dry or wet Arenisca with rate dependence (arenisca/points_rate.hpp), strength that scatters
 /// (arenisca/parts/scatter.hpp) and, in the angled form, third invariant (arenisca/parts/lode.hpp);
-/// or with damage (arenisca/parts/damage.hpp) and scatter: the same law, with features that the
-/// plain form leaves out when it is compiled. Those that a card does not ask for are off.
+/// or with damage (arenisca/parts/damage.hpp) and scatter, or with heat (arenisca/parts/heat.hpp)
+/// besides: the same law, with features that the plain form leaves out when it is compiled. Those
+/// that a card does not ask for are off.
 ///
 /// @param Plain     the form without them
-/// @param Law_      rock of arenisca/points_angle.hpp or points_damage.hpp
+/// @param Law_      rock of arenisca/points_angle.hpp, points_damage.hpp or points_heat.hpp
 /// @param History_  begins with that of Plain
 template <class Plain, class Law_, template <class> class History_>
 struct FeaturedForm {
@@ -30,8 +33,8 @@ struct FeaturedForm {
   template <class R>
   using HistoryOf = History_<R>;
   using History = HistoryOf<double>;
-  static constexpr int history_count =
-      Plain::history_count + 1 + (Law::rated ? 6 : 0) + (Law::damaged ? 2 : 0);
+  static constexpr int history_count = Plain::history_count + 1 + (Law::rated ? 6 : 0) +
+                                       (Law::damaged ? 2 : 0) + (Law::heated ? 2 : 0);
 
   static ParameterTable<Parameters> parameter_table() { return arenisca_parameter_table(); }
   static std::vector<HistoryField> history_table() {
@@ -46,6 +49,14 @@ struct FeaturedForm {
           {"fracture_strain",
            dimension::none,
            "plastic strain of full damage in tension, for the size of the piece"}
+      );
+    }
+    if (Law::heated) {
+      table.push_back({"temperature", dimension::temperature, "temperature"});
+      table.push_back(
+          {"thermal_expansion",
+           dimension::none,
+           "volume strain of the grains by the heat of the last step, to come in the next"}
       );
     }
     if (!Law::rated) return table;
@@ -65,7 +76,7 @@ struct FeaturedForm {
 
   FeaturedForm(const Parameters& p, double density)
       : plain_(p, density),
-        rock_(make_rock(plain_)),
+        rock_(make_rock(plain_, density)),
         weibull_(arenisca::Weibull::make(p, Plain::Law::Parts::ShearLimit::largest_factor(p))) {}
 
   /// Gives a piece of rock the strength of its own, and the strain at which it breaks; a host that
@@ -76,6 +87,16 @@ struct FeaturedForm {
       h.fracture_strain = rock_.damage.strain_of(piece.per_crack * std::sqrt(piece.face));
   }
   const arenisca::Weibull& weibull() const { return weibull_; }
+
+  /// Gives a point heat that its update did not know of [energy/mass].
+  template <class R>
+  BARRENO_FUNCTION void add_heat(const R& heat, const Sym3Of<R>& stress, HistoryOf<R>& h) const {
+    static_assert(Law::heated, "rock with heat");
+    const R warming = heat * (1.0 / parameters().specific_heat);
+    h.temperature = h.temperature + warming;
+    h.thermal_expansion = h.thermal_expansion +
+                          rock_.heat.expansion(warming, arenisca::rock_pressure<Law>(stress, h));
+  }
 
   History initial_history() const { return full(plain_.initial_history()); }
   InitialStateOf<Sym3, History> initial_state(double pressure) const {
@@ -101,6 +122,8 @@ struct FeaturedForm {
         (h.coherence >= 0.0);
     if constexpr (Law::damaged)
       sound = sound & (h.damage >= 0.0) & (h.damage <= 1.0) & (h.fracture_strain > 0.0);
+    if constexpr (Law::heated)
+      sound = sound & real::is_finite(R(h.temperature + h.thermal_expansion));
     if constexpr (Law::wet) sound = sound & arenisca::sound_pores<R, Law>(h);
     return arenisca::start_rock<R>(rock_, sound, p);
   }
@@ -126,7 +149,7 @@ struct FeaturedForm {
   const Law& rock() const { return rock_; }
 
 protected:
-  static Law make_rock(const Plain& plain) {
+  static Law make_rock(const Plain& plain, double density) {
     const Parameters& p = plain.parameters();
     Law rock;
     static_cast<typename Plain::Law&>(rock) = plain.rock();
@@ -136,6 +159,7 @@ protected:
       rock.damage = arenisca::Damage::make(p);
       arenisca::set_damage(rock);
     }
+    if constexpr (Law::heated) rock.heat = arenisca::Heat::make(p, density);
     if constexpr (Law::rated) {
       rock.T1 = p.T1_rate_dependence;
       rock.T2 = p.T2_rate_dependence;
@@ -160,6 +184,7 @@ protected:
     for (int i = 0; i < Plain::history_count; ++i)
       reals_of<double>(h)[i] = reals_of<double>(part)[i];
     if constexpr (Law::damaged) h.fracture_strain = rock_.damage.strain;
+    if constexpr (Law::heated) h.temperature = rock_.heat.initial_temperature;
     return h;
   }
   InitialStateOf<Sym3, History> full(const InitialStateOf<Sym3, typename Plain::History>& s) const {
@@ -191,6 +216,22 @@ struct DamagedWetHistoryOf {
   R damage{}, fracture_strain = R{} + 1.0;
 };
 template <class R>
+struct HeatedHistoryOf {
+  R plastic_volume_strain{}, equivalent_plastic_strain{};
+  R coherence = R{} + 1.0;
+  R damage{}, fracture_strain = R{} + 1.0;
+  R temperature{}, thermal_expansion{};
+};
+template <class R>
+struct HeatedWetHistoryOf {
+  R plastic_volume_strain{}, equivalent_plastic_strain{};
+  R fluid_mass_ratio = R{} + 1.0;
+  R pore_pressure{}, porosity{}, gas{};
+  R coherence = R{} + 1.0;
+  R damage{}, fracture_strain = R{} + 1.0;
+  R temperature{}, thermal_expansion{};
+};
+template <class R>
 struct FeaturedHistoryOf {
   R plastic_volume_strain{}, equivalent_plastic_strain{};
   R coherence = R{} + 1.0;
@@ -213,6 +254,8 @@ using ScatteredForm =
     FeaturedForm<Arenisca, arenisca::ScatteredRock<arenisca::Rock>, ScatteredHistoryOf>;
 
 using DamagedForm = FeaturedForm<Arenisca, arenisca::DamagedRock<arenisca::Rock>, DamagedHistoryOf>;
+
+using HeatedForm = FeaturedForm<Arenisca, arenisca::HeatedRock<arenisca::Rock>, HeatedHistoryOf>;
 
 /// With fluid in its pores, in the poroplastic form.
 template <class Law, template <class> class History_ = FeaturedWetHistoryOf>
@@ -280,6 +323,18 @@ struct DamagedWetArenisca : DamagedWetForm {
   using DamagedWetForm::DamagedWetForm;
   static constexpr const char* form = "damaged wet";
   static bool needed(const Parameters& p) { return arenisca::is_damaged(p, true); }
+};
+
+struct HeatedArenisca : HeatedForm {
+  using FeaturedForm::FeaturedForm;
+  static constexpr const char* form = "heated";
+  static bool needed(const Parameters& p) { return arenisca::is_heated(p, false); }
+};
+using HeatedWetForm = FeaturedWetForm<arenisca::HeatedRock<arenisca::WetRock>, HeatedWetHistoryOf>;
+struct HeatedWetArenisca : HeatedWetForm {
+  using HeatedWetForm::HeatedWetForm;
+  static constexpr const char* form = "heated wet";
+  static bool needed(const Parameters& p) { return arenisca::is_heated(p, true); }
 };
 
 }  // namespace barreno

@@ -71,6 +71,8 @@ inline Outcome drain_point(
 
   typename Model::template Points<Lanes> p;
   repeat_point(Increment{}, stress, h, p);
+  // Fluid moves at fixed strain: what heat the last step brought waits for the next one.
+  if constexpr (Law::heated) p.history.thermal_expansion = Lanes{};
   StepOf<Lanes, Law> step[1] = {begin_rock<Lanes>(rock, first_lane(), p)};
   // What empties the pores takes all of it, whatever round-off says.
   const double inflow = mass == 0.0 ? h.gas - h.porosity : fluid_volume;
@@ -81,7 +83,9 @@ inline Outcome drain_point(
     return refused;
   }
   stress = lane_of<Sym3>(p.stress, 0);
+  const typename Model::History begin = h;
   h = lane_of<typename Model::History>(p.history, 0);
+  if constexpr (Law::heated) h.thermal_expansion += begin.thermal_expansion;
   h.fluid_mass_ratio = mass;
   if (mass == 0.0) h.gas = h.porosity;
   outcome.substeps = static_cast<int>(step[0].substeps[0]);

@@ -100,7 +100,8 @@ struct Damage {
   template <class All>
   static Damage make(const All& p) {
     Damage d;
-    d.strain = p.fracture_strain;
+    constexpr double never = 1e30;  // rock without damage that has other features
+    d.strain = p.fracture_strain > 0.0 ? p.fracture_strain : never;
     d.energy = p.fracture_energy;
     d.slope = p.residual_slope > 0.0 ? p.residual_slope : p.FSLOPE;
     d.per_pressure = p.damage_pressure > 0.0 ? 1.0 / p.damage_pressure : 0.0;

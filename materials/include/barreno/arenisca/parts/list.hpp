@@ -8,6 +8,7 @@
 #include "barreno/arenisca/parts/elasticity.hpp"
 #include "barreno/arenisca/parts/flow_rule.hpp"
 #include "barreno/arenisca/parts/fluid.hpp"
+#include "barreno/arenisca/parts/heat.hpp"
 #include "barreno/arenisca/parts/lode.hpp"
 #include "barreno/arenisca/parts/rate.hpp"
 #include "barreno/arenisca/parts/scatter.hpp"
@@ -48,7 +49,8 @@ using AllParts = JoinedLists<
         Rate,
         Lode,
         Weibull,
-        Damage>,
+        Damage,
+        Heat>,
     OtherParts>::type;
 
 /// The parts that a form may exchange.
