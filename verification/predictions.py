@@ -32,6 +32,10 @@ ANGLE = {"Materials/Sandstone/J3_type": "Willam-Warnke", "Materials/Sandstone/J3
 CENTRE = {**WATER, "Materials/Sandstone/Backstress strain": "elastic centre"}
 PLASTIC = {**WATER, "Materials/Sandstone/Backstress strain": "plastic"}
 ARENISCA3 = {**PLASTIC, "Materials/Sandstone/Undrained moduli": "arenisca3"}
+DAMAGE = {"Materials/Sandstone/Card": "berea_sandstone_damage.xml"}
+HEAT = {"Materials/Sandstone/Card": "berea_sandstone_heat.xml"}
+WET_HEAT = {**HEAT, **WATER, "Materials/Sandstone/Grain stiffening": "0",
+    **{f"Materials/Sandstone/Transition {part}": "0" for part in ("strain", "start", "end")}}  # fmt: skip
 BISECTION = {"Materials/Sandstone/Return solver": "bisection"}
 
 
@@ -46,6 +50,10 @@ VARIANTS = {  # decks with settings of their own; the forms for comparison cost 
     "perforation_quick, rate, wet": ("perforation_quick", {**RATE, **WATER}),
     "perforation_quick, third invariant": ("perforation_quick", ANGLE),
     "perforation_quick, third invariant, wet": ("perforation_quick", {**ANGLE, **WATER}),
+    "perforation_quick, damage": ("perforation_quick", DAMAGE),
+    "perforation_quick, damage, wet": ("perforation_quick", {**DAMAGE, **WATER}),
+    "perforation_quick, heat": ("perforation_quick", HEAT),
+    "perforation_quick, heat, wet": ("perforation_quick", WET_HEAT),
     "perforation_quick to 12 us": ("perforation_quick", until("12 us")),
     "perforation_quick, rate, to 12 us": ("perforation_quick", until("12 us", RATE)),
     "perforation_quick, third invariant, wet, to 12 us": ("perforation_quick", until("12 us", {**ANGLE, **WATER})),
@@ -75,6 +83,10 @@ RUN_OF_COST = {
     "update_stress Arenisca rated wet": "perforation_quick, rate, wet",
     "update_stress Arenisca angled": "perforation_quick, third invariant",
     "update_stress Arenisca angled wet": "perforation_quick, third invariant, wet",
+    "update_stress Arenisca damaged": "perforation_quick, damage",
+    "update_stress Arenisca damaged wet": "perforation_quick, damage, wet",
+    "update_stress Arenisca heated": "perforation_quick, heat",
+    "update_stress Arenisca heated wet": "perforation_quick, heat, wet",
     "update_stress Arenisca general, elastic centre": "perforation_quick, elastic centre, to 12 us",
     "update_stress Arenisca general, plastic": "perforation_quick, plastic, to 4 us",
     "update_stress Arenisca general, bisection": "perforation_quick, bisection, to 4 us",

@@ -177,7 +177,8 @@ def run(barreno, full):
         "Dry rock under a jet is as dense, and as strong, as its law says, to 40 GPa.",
         "the law's own integrals, written anew (required); porous silica behind a shock, of *recalled* constants (shown, never required): "
         "quartz and stishovite after Birch and Murnaghan with Mie and Grueneisen's heat, mixed from 12 to 35 GPa. One material point under "
-        "uniaxial strain, no grid; rock with heat in a run: two plates that meet, losses returned as heat, with the jump conditions required from 20 GPa on. Differences of the density from that reference [%] at an axial stress of",
+        "uniaxial strain, no grid; rock with heat in a run: two plates that meet, losses returned as heat, with the jump conditions "
+        "required from 20 GPa on. Differences of the density from that reference [%] at an axial stress of",
         ["card", *(f"{stress:g} GPa" for stress in STRESSES)],
         [],
     )  # fmt: skip

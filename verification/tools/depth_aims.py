@@ -76,7 +76,8 @@ def losses_row():
     data = stored("perforation")
     whole = dict(zip(data["columns"], data["rows"][0]))
     lost = whole["energy that stress_integration and transfer took, over what was put in"]
-    missed = "missed: it falls with the step alone. Return Losses returns it to metals and to rock with heat (docs/method.md 2.13), which this rock has not"
+    missed = ("missed: it falls with the step alone. Return Losses returns it to metals and to rock with heat (docs/method.md 2.13), which "
+        "this rock has not")
     aim = ("energy lost, over energy put in", "to 120 us, without Return Losses")
     return row(*aim, "<= 0.02", f"{lost:.3g}", "holds" if lost <= 0.02 else missed, f"`{VERIFY} perforation`")
 

@@ -31,5 +31,6 @@ def row(name, one):
 
 def lines():
     found = json.loads(STORED.read_text())
-    head = ["card", "tip [mm]", "as wide as the jet [mm]", "volume [cm3]", "crushed to [mm]", "skin", "lost by the method", "steps", "processor time [s]"]
+    head = ["card", "tip [mm]", "as wide as the jet [mm]", "volume [cm3]", "crushed to [mm]", "skin", "lost by the method", "steps",
+        "processor time [s]"]  # fmt: skip
     return table(head, [row(name, one) for name, one in found.items()])
