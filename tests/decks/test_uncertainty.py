@@ -139,7 +139,7 @@ def check_one_at_a_time(folder):
 
 def check_cards(folder):
     """Both ends of every range that is shipped lie within the bounds of the program, and the moduli that hang together stay so."""
-    materials = {"tungsten": "Tungsten", "berea": "Sandstone"}
+    materials = {"tungsten": "Tungsten", "berea": "Sandstone", "seeberger": "Sandstone", "cement": "Sandstone"}
     for file in sorted((CARDS / "ranges").glob("*.csv")):
         material = next((name for head, name in materials.items() if file.stem.startswith(head)), "Steel")
         others = [f"Materials/{other}" for other in materials.values() if other != material]

@@ -148,8 +148,9 @@ def run(barreno, full):
         "`Dilatancy pressure` 60 MPa (range 40 to 100 MPa, chosen for the three signs).\n\n"
         "`berea_sandstone_damage` adds damage: it bears the same until it breaks, and dilatancy ends with damage "
         "([rock_damage](rock_damage.md)).\n\n"
-        "What does not hold: no card depends on the rate (Arenisca's rate dependence is off, for want of a fit). Skempton's "
-        "coefficient follows from Gassmann's relation with water of 2.25 GPa, 20 % of pores and the drained modulus: 0.59. The measured "
-        "set, 0.75 with an undrained modulus of 15.8 GPa, needs a fluid of 4 GPa in that relation. Its authors call it consistent to 20 %."
+        "What does not hold: none of these cards depends on the rate; `seeberger_sandstone` does "
+        "([seeberger_and_cement](seeberger_and_cement.md)). Skempton's coefficient follows from Gassmann's relation with water of "
+        "2.25 GPa, 20 % of pores and the drained modulus: 0.59. The measured set, 0.75 with an undrained modulus of 15.8 GPa, needs a "
+        "fluid of 4 GPa in that relation. Its authors call it consistent to 20 %."
     )
     return result

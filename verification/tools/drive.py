@@ -34,6 +34,18 @@ def drive(barreno, model, parameters, rows, steps=1, density=1000.0):
         return arrays_of(read_csv(out))
 
 
+def drive_card(barreno, card, lines, steps, settings=()):
+    """The same of a card along a path of lines, header first, with a row for every step."""
+    with tempfile.TemporaryDirectory(prefix="drive-") as scratch:
+        path, out = (pathlib.Path(scratch) / name for name in ("path.csv", "answer.csv"))
+        path.write_text("\n".join(lines) + "\n")
+        words = ["drive", "--material", card, "--path", path, "--out", out, "--steps-per-row", steps, "--every-step"]
+        result = call(barreno, words + [word for setting in settings for word in ("--set", setting)])
+        if result.returncode != 0:
+            raise RuntimeError(f"{' '.join(map(str, result.args))} ended with {result.returncode}: {result.stderr.strip()}")
+        return arrays_of(read_csv(out))
+
+
 def knows(barreno, model, parameter):
     """Whether this build's model has a parameter of that name."""
     described = call(barreno, ["describe", model])

@@ -3,6 +3,7 @@
 import json
 
 from performance import checkpoint_cost
+from tools import cement_table
 from tools import converge_parts
 from tools import deck_table
 from tools import extremes_page
@@ -51,6 +52,7 @@ def laboratory_tests():
 PARTS = {
     "arenisca_forms": feature_cost.stored_part,
     "berea_fit": fit_berea.stored_part,
+    "cement_shot": cement_table.lines,
     "checkpoint_cost.py": checkpoint_cost.stored_part,
     "checkpoint_times": checkpoint_times,
     "converge_fine_jet": converge_parts.fine_jet,
