@@ -19,7 +19,7 @@ import numpy
 from barreno.runs.csv_table import WORDS, read_csv
 from barreno.runs.effective_deck import value_in
 from barreno.runs.run_folder import deck_in
-from python_commands import process_of, said_by
+from python_commands import environment_of_runs, process_of, said_by
 from tools.runs import DECKS
 
 QUICK = DECKS / "perforation_quick.xml"
@@ -31,7 +31,7 @@ DEPTH = "penetration.depth"
 
 
 def uncertainty(*words, **more):
-    return said_by("barreno.uncertainty", *words, **more)
+    return said_by("barreno.uncertainties", *words, **more)
 
 
 def record_of(out):
@@ -57,7 +57,7 @@ def check_stopped(folder):
     """A signal ends the runs; the same command goes on, and leaves what a study in one go would."""
     out = folder / "study"
     words = (QUICK, *SHORT, *RANGES, "--runs", "6", "--jobs", "1", "--out", out)
-    with subprocess.Popen(**process_of("barreno.uncertainty", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+    with subprocess.Popen(**process_of("barreno.uncertainties", *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
         wait_for(lambda: list(out.glob("run-02-*/run.log")), "the second run")
         os.kill(child.pid, signal.SIGINT)
         _, said = child.communicate(timeout=60)
@@ -170,6 +170,67 @@ def check_failure(folder):
     assert "answers" not in record_of(out) and not (out / "tornado.png").exists()
 
 
+def task(script, number, **more):
+    """Of an array job, as Slurm starts it: the script by bash."""
+    environment = {**environment_of_runs(), "SLURM_ARRAY_TASK_ID": str(number)}
+    return subprocess.Popen(["bash", "-c", script], env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more)
+
+
+def run_task(script, number):
+    said, errors = task(script, number).communicate(timeout=300)
+    assert "[1/1] run " in said and not errors, said + errors
+
+
+def check_time_limit(folder):
+    """Slurm's signal ahead of it ends a task behind a checkpoint, and the task that comes then goes on."""
+    out = folder / "limit"
+    words = (QUICK, *TARGET, "--set", "Time/End Time=8 us", *RANGES, "--runs", "6", "--out", out)
+    script = uncertainty(*words, "--submit", "slurm", BARRENO_COMMAND=f"{sys.executable} -m barreno.uncertainties")
+    child = task(script, 1)
+    wait_for(lambda: [file for file in out.glob("run-01-*/history.csv") if len(file.read_text().splitlines()) > 5], "the first task")
+    child.send_signal(signal.SIGTERM)  # "--signal=B:TERM" sends it to the script, which has become the command
+    _, errors = child.communicate(timeout=60)
+    assert child.returncode == 143 and "interrupted with 0 of 1 runs finished" in errors and errors.count("\n") == 1, errors
+    assert list(out.glob("run-01-*/checkpoint.h5"))
+    said, errors = task(script, 1).communicate(timeout=300)
+    log = next(out.glob("run-01-*/run.log")).read_text()
+    assert "[1/1] run 1: depth" in said and "esum" in log, said + errors + log
+
+
+def check_array_job(study, folder):
+    """The script's tasks, also side by side, and what is collected in between: the study of one go."""
+    out = folder / "job"
+    words = (QUICK, *SHORT, *RANGES, "--runs", "6", "--out", out)
+    found = uncertainty(*words, "--collect", code=2)
+    assert "holds no study (no uncertainty.json)" in found and found.count("\n") == 1 and not out.exists(), found
+    start = {"BARRENO_COMMAND": f"{sys.executable} -m barreno.uncertainties"}
+    script = uncertainty(*words, "--ranks", "2", "--submit", "slurm", **start)
+    assert script.startswith("#!/bin/bash\n") and "#SBATCH --array=1-6\n" in script and "#SBATCH --ntasks=2\n" in script, script
+    assert sorted(file.name for file in out.iterdir()) == ["inputs", "ranges.csv", "uncertainty.json"]
+    found = uncertainty(*words, "--collect", code=2)
+    assert found == "barreno: none of the runs has finished; the command without --collect computes them.\n", found
+    both = [task(script, number) for number in (1, 2)]  # at the same time
+    assert [child.communicate(timeout=300)[1] for child in both] == ["", ""] and [child.returncode for child in both] == [0, 0]
+    found = uncertainty(*words, "--collect", code=2)
+    assert "2 of 6 runs have finished, and 5 are needed for 2 ranges; no interval is given." in found, found
+    assert "4 of 6 runs have not finished (run 3, run 4, run 5 and run 6)" in found and "the tasks 3-6 of the array job" in found, found
+    script = uncertainty(*words, "--submit", "slurm", **start)
+    assert "#SBATCH --array=3-6\n" in script, script
+    for number in (3, 4, 5):
+        run_task(script, number)
+    said = uncertainty(*words, "--collect", code=2)
+    assert "the tasks 6 of the array job" in said and record_of(out)["answers"][DEPTH]["runs"] == 5, said
+    rows = read_csv(out / "uncertainty.csv", cells=WORDS).to_dict("records")
+    assert [row["state"] for row in rows] == ["finished"] * 5 + ["missing"], rows
+    run_task(script, 6)
+    uncertainty(*words, "--collect")
+    assert record_of(out)["answers"] == record_of(study)["answers"], "not that of one go"
+    summary = [json.loads(next(out.glob(f"run-{number:02d}-*/summary.json")).read_text()) for number in (2, 4)]
+    assert [one["ranks"] for one in summary] == [2, 1], summary
+    found = uncertainty(*words, "--submit", "slurm", code=1)
+    assert "all runs have finished, so there is nothing to submit" in found and found.count("\n") == 1, found
+
+
 BAD = (  # words, exit code, what is said
     (("--vary", "Materials/Sandstone/CR=0.5..1.2"), 1, '--vary "Materials/Sandstone/CR": the end 1.2 of the range is refused'),
     (("--vary", "Materials/Sandstone/CRR=0.5..0.6"), 1, "did you mean 'CR'?"),
@@ -187,6 +248,10 @@ BAD = (  # words, exit code, what is said
     (("--runs", "9"), 1, "--runs 9 is too few for"),
     (("--set", "Jet=",), 1, "the deck has no jet"),
     (("--ranges", "nowhere.csv"), 2, "nowhere.csv does not exist (needed as --ranges)"),
+    ((*RANGES, "--runs", "6", "--only", "7"), 1, "--only 7 is not the number of a run (1 to 6)"),
+    (("--submit", "pbs"), 1, "--submit pbs is not a batch system that scripts are written for; write --submit slurm."),
+    (("--submit",), 1, "--submit does not say which batch system; write --submit slurm."),
+    (("--submit", "slurm", "--collect"), 1, "--submit and --collect exclude each other"),
     (("--varry", "A/B=1..2"), 1, "write for example barreno uncertainty"),
 )  # fmt: skip
 
@@ -211,7 +276,8 @@ def main():
         out, said = check_stopped(folder)
         check_numbers(out, said)
         check_goes_on(out)
-        for check in (check_one_at_a_time, check_cards, check_failure, check_bad):
+        check_array_job(out, folder)
+        for check in (check_time_limit, check_one_at_a_time, check_cards, check_failure, check_bad):
             check(folder)
     print("barreno uncertainty does as docs/uncertainty.md says")
     return 0

@@ -16,8 +16,8 @@ from barreno.compare.results import Row
 from barreno.fit import card as fitted_card
 from barreno.runs.effective_deck import value_in
 from barreno.runs.faults import Fault
-from barreno.uncertainty import answers, command, decks, design, known, picture, ranges, report, spread, words
-from barreno.uncertainty.ranges import Range
+from barreno.uncertainties import answers, command, decks, design, known, picture, ranges, report, spread, words
+from barreno.uncertainties.ranges import Range
 
 NORMAL_90 = 1.6449  # of standard deviations to either side
 

@@ -37,11 +37,16 @@ def parse(words):
     add("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"',
         help="changes a value of the deck in all runs, as often as needed")
     add("--fidelity", metavar="WORD", help="fast, balanced or reference, as for run")
+    add_modes(add)
+    return parser.parse_args(words)
+
+
+def add_modes(add):
+    """Words of the array job, also of other commands that make many runs."""
     add("--submit", nargs="?", const="", metavar="slurm", help="print the script of an array job, one task per run, instead of computing")
     add("--collect", action="store_true", help="compute nothing: table and pictures of the runs that are there")
     add("--only", type=int, metavar="N",
         help="compute the run of this number alone, from 1, without table and pictures (a task of the array job)")
-    return parser.parse_args(words)
 
 
 def check_counts(options):

@@ -42,12 +42,14 @@ def state_of(point):
     return FINISHED if point.how and not point.code else "failed" if point.code else "missing"
 
 
+def row_of(point, values):
+    """@param values  of what was varied, as texts"""
+    state = state_of(point)
+    return finished_row(point.label, point.folder, values) if state == FINISHED else Row(point.label, point.folder, values, state)
+
+
 def rows_of(points, columns):
-    rows = []
-    for i, point in enumerate(points):
-        values, state = [column.texts[i] for column in columns], state_of(point)
-        rows.append(finished_row(point.label, point.folder, values) if state == FINISHED else Row(point.label, point.folder, values, state))
-    return rows
+    return [row_of(point, [column.texts[i] for column in columns]) for i, point in enumerate(points)]
 
 
 def is_narrow(row):

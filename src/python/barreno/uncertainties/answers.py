@@ -6,8 +6,8 @@ import re
 
 import numpy
 
-from barreno.uncertainty import spread
-from barreno.uncertainty.words import LATIN
+from barreno.uncertainties import spread
+from barreno.uncertainties.words import LATIN
 
 DEPTH, PROBED = "penetration.depth", "penetration.probed_depth"
 KINDS = (  # what is looked at without being asked for: name in summary.json, words, unit, what a number in SI is multiplied by

@@ -10,8 +10,8 @@ from barreno import places
 from barreno.runs.effective_deck import lists_in, value_in
 from barreno.runs.faults import FILE, Fault
 from barreno.runs.regular_file import read_text
-from barreno.uncertainty.decks import FACTORS, RADIUS, VELOCITY
-from barreno.uncertainty.ranges import Range, read_file
+from barreno.uncertainties.decks import FACTORS, RADIUS, VELOCITY
+from barreno.uncertainties.ranges import Range, read_file
 
 SHIPPED = "ranges"  # folder beside the cards
 ASSUMED = {VELOCITY: 0.02, RADIUS: 0.05}  # half widths, relative; docs/uncertainty.md says so
