@@ -8,17 +8,22 @@ which was stopped goes on; both designs; ranges of a card; runs that fail; and a
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
 import tempfile
 import time
+import unittest.mock
 
 import numpy
 
+import barreno
 from barreno.runs.csv_table import WORDS, read_csv
 from barreno.runs.effective_deck import value_in
+from barreno.runs.program import found_program
 from barreno.runs.run_folder import deck_in
+from barreno.uncertainties.known import find_card
 from python_commands import environment_of_runs, process_of, said_by
 from tools.runs import DECKS
 
@@ -157,6 +162,36 @@ def check_cards(folder):
     return out
 
 
+def check_found_cards(folder):
+    """Ranges are looked for beside the card that the program takes: beside the deck, in BARRENO_MATERIALS, shipped. The same letters go
+    first, and in the last two their case does not count."""
+    beside, listed, later = (folder / name for name in ("beside", "listed", "later"))
+    text, density = (CARDS / "steel_4340.xml").read_text(), 7000
+    for place, names in ((beside, ("Mine.xml", "plain")), (listed, ("mine.xml", "steel_1018.xml", "OTHER.xml", "twice.XML")),
+            (later, ("other.xml", "steel_4340.xml", "Twice.xml"))):
+        place.mkdir()
+        for name in names:
+            density += 1
+            (place / name).write_text(re.sub(r'(name="Density"[^>]*value=)"[^"]*"', rf'\1"{density}"', text))
+    (beside / "steel_1018").mkdir()
+    deck = beside / "deck.xml"
+    barreno.Deck.read(QUICK).write(deck)
+    found = {}
+    folders = f"{folder / 'nowhere'}::{listed}:{later}"
+    with unittest.mock.patch.dict(os.environ, {**environment_of_runs(), "BARRENO_MATERIALS": folders}):
+        program = found_program("check", 1)
+        for card in ("Mine", "Mine.xml", "mine", "MINE.XML", "plain", "steel_1018", "Other", "OTHER", "other.xml", "steel_4340",
+                "Steel_4340.xml", "twice", "TWICE", "COPPER", str(listed / "mine")):
+            effective = program.effective_deck([str(deck), "--set", f"Materials/Steel/Card={card}"])
+            file = find_card(card, deck)
+            own = re.search(r'name="Density"[^>]*value="([^"]*)"', file.read_text()).group(1)
+            taken = float(value_in(effective, "Materials/Steel/Density"))
+            assert taken == float(own), f"{card}: {file}, but the program took that of {taken} kg/m3"
+            found[card] = file.relative_to(folder).parts[0] if file.is_relative_to(folder) else "shipped"
+        assert find_card("no such card", deck) is None
+    assert set(found.values()) == {"beside", "listed", "later", "shipped"} and found["mine"] == "listed" != found["Mine"], found
+
+
 def check_failure(folder):
     """A run that fails: the others are there, no interval is given where too few are left, and the exit code is its own."""
     out = folder / "failed"
@@ -277,7 +312,7 @@ def main():
         check_numbers(out, said)
         check_goes_on(out)
         check_array_job(out, folder)
-        for check in (check_time_limit, check_one_at_a_time, check_cards, check_failure, check_bad):
+        for check in (check_time_limit, check_one_at_a_time, check_cards, check_found_cards, check_failure, check_bad):
             check(folder)
     print("barreno uncertainty does as docs/uncertainty.md says")
     return 0
