@@ -19,17 +19,8 @@ from barreno.compare import differences, results
 from barreno.converge import command as converge
 from barreno.runs import effective_deck, make_runs, run_folder
 from barreno.runs.csv_table import WORDS, read_csv
-from barreno.runs.faults import Fault
 from barreno.sweeps import compute, plan, sample, slurm, variation, words, write
-
-
-def refused(does, *said):
-    try:
-        does()
-    except Fault as fault:
-        assert all(part in str(fault) for part in said) and "\n" not in str(fault), f"{said}: {fault}"
-        return
-    raise AssertionError(f"not refused: {said}")
+from refusals import refused
 
 
 def read(kind, *lines):
