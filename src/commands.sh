@@ -37,11 +37,12 @@ barreno join FOLDER --out FILE    particles that every rank wrote into its own f
 barreno converge DECK [--quantity NAME] [--times "10 us, 20 us"] [--levels 3] [--refine 2] [--out FOLDER]
                 [--set ...] [--fidelity ...] [--ranks N]   cells of several sizes: order, limit, interval (docs/converge.md)
 barreno sweep DECK --vary "LIST/NAME=VALUE,VALUE UNIT"... [--sample grid|list|latin] [--samples N] [--jobs N]
-                [--out FOLDER] [--set ...] [--fidelity ...] [--ranks N] [--submit slurm] [--collect]
+                [--out FOLDER] [--set ...] [--fidelity ...] [--ranks N] [--flow radial|axial|both]
+                [--submit slurm] [--collect]
                                   several values of parameters, runs side by side: table, curves, channels (docs/sweep.md)
 barreno uncertainty DECK [--vary "LIST/NAME=LOW..HIGH UNIT"]... [--ranges FILE.csv] [--hold LIST/NAME]... [--runs N]
                 [--design latin|one-at-a-time] [--jobs N] [--out FOLDER] [--set ...] [--fidelity ...] [--ranks N]
-                [--submit slurm] [--collect]
+                [--flow radial|axial|both] [--submit slurm] [--collect]
                                   how sure a depth is: intervals from ranges of the inputs, who contributes what (docs/uncertainty.md)
 barreno compare RUN RUN... [--out FOLDER]   the same for runs at hand: how their decks and results differ
 barreno drive --material CARD --path PATH --out OUT [--steps-per-row N] [--every-step] [--plot PNG]
@@ -333,7 +334,8 @@ carry_out() {  # the words of the command line
       shift
       demand_deck uncertainty "--fidelity fast" "$@"
       check_ranks_in "$@"
-      need_packages "${uncertainty_packages[@]}"
+      # The flow into holes is computed from their fields.
+      if [[ " $* " == *" --flow"* ]]; then need_packages "${report_packages[@]}" python3-scipy; else need_packages "${uncertainty_packages[@]}"; fi
       prepare OFF
       mpi_environment
       BARRENO_COMMAND="$(printf '%q' "$0") uncertainty"

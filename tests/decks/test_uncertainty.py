@@ -32,7 +32,7 @@ CARDS = DECKS.parent / "materials" / "cards"
 TARGET = ("--set", "Grid/Upper={80 mm, 90 mm}", "--set", "Bodies/Rock/Upper={50.8 mm, 72.7 mm}")
 SHORT = (*TARGET, "--set", "Time/End Time=2 us")
 RANGES = ("--vary", "Jet/Velocity=0.9..1.1", "--vary", "Materials/Steel/A=500..1500 MPa")
-DEPTH = "penetration.depth"
+DEPTH, EFFICIENCY = "penetration.depth", "flow.core_flow_efficiency"
 
 
 def uncertainty(*words, **more):
@@ -192,6 +192,39 @@ def check_found_cards(folder):
     assert set(found.values()) == {"beside", "listed", "later", "shipped"} and found["mine"] == "listed" != found["Mine"], found
 
 
+def check_flow(folder):
+    """The core flow efficiency of each run is that of `barreno flow`, an answer of the study and a column of a sweep; a flow that is there
+    is taken; a run without a hole in rock is named."""
+    out = folder / "flows"
+    words = (QUICK, *TARGET, "--set", "Time/End Time=8 us", *RANGES, "--runs", "5", "--flow", "axial", "--out", out)
+    said = uncertainty(*words)
+    answer, runs = record_of(out)["answers"][EFFICIENCY], [pathlib.Path(run["folder"]) for run in record_of(out)["runs"]]
+    found = []
+    for run in runs:
+        said_by("barreno.flow", run, "--boundary", "axial")
+        found.append(json.loads((run / "flow" / "flow.json").read_text())["core_flow_efficiency"])
+    rows = read_csv(out / "uncertainty.csv", cells=WORDS).to_dict("records")
+    assert [float(row[EFFICIENCY]) for row in rows] == found and len(set(found)) == 5 and 0.0 < min(found) <= max(found) < 1.0, found
+    assert (answer["least"], answer["largest"], answer["runs"]) == (min(found), max(found), 5) and answer["ranges"]["low"] >= 0.0, answer
+    assert "\n" in said and "core flow efficiency" in said, said
+    kept = runs[0] / "flow_axial.json"
+    kept.write_text(kept.read_text().replace(repr(found[0]), "0.125"))
+    older = runs[1] / "flow_axial.json"
+    older.write_text(older.read_text().replace(repr(found[1]), "0.125"))
+    os.utime(older, (0, 0))  # as of a run that was made again
+    uncertainty(*words)
+    rows = read_csv(out / "uncertainty.csv", cells=WORDS).to_dict("records")
+    assert [float(row[EFFICIENCY]) for row in rows] == [0.125, *found[1:]], rows
+    said = said_by("barreno.sweeps", QUICK, *TARGET, "--vary", "Time/End Time=1,8 us", "--flow", "axial", "--out", folder / "swept")
+    assert "End Time = 1 us has no flow: " in said and "has no hole in its rock" in said and "core flow efficiency" in said, said
+    early, late = read_csv(folder / "swept" / "table.csv", cells=WORDS).to_dict("records")
+    assert early[EFFICIENCY] == "" and 0.0 < float(late[EFFICIENCY]) < 1.0, (early, late)
+    job = (*words[:-1], folder / "flow job")
+    script = uncertainty(*job, "--submit", "slurm", BARRENO_COMMAND=f"{sys.executable} -m barreno.uncertainties")
+    run_task(script, 2)
+    assert len(list((folder / "flow job").glob("run-02-*/flow_axial.json"))) == 1
+
+
 def check_failure(folder):
     """A run that fails: the others are there, no interval is given where too few are left, and the exit code is its own."""
     out = folder / "failed"
@@ -284,6 +317,8 @@ BAD = (  # words, exit code, what is said
     (("--set", "Jet=",), 1, "the deck has no jet"),
     (("--ranges", "nowhere.csv"), 2, "nowhere.csv does not exist (needed as --ranges)"),
     ((*RANGES, "--runs", "6", "--only", "7"), 1, "--only 7 is not the number of a run (1 to 6)"),
+    (("--flow", "upwards"), 1, "--flow upwards does not say where the fluid comes from; it is one of radial, axial, both."),
+    (("--flow", "radial", "--set", "Jet=", "--quantity", "steps"), 1, "--flow radial: the deck has no jet, and so no hole to flow into"),
     (("--submit", "pbs"), 1, "--submit pbs is not a batch system that scripts are written for; write --submit slurm."),
     (("--submit",), 1, "--submit does not say which batch system; write --submit slurm."),
     (("--submit", "slurm", "--collect"), 1, "--submit and --collect exclude each other"),
@@ -298,6 +333,10 @@ def check_bad(folder):
         found = uncertainty(QUICK, *SHORT, *words, "--out", out, code=code)
         assert said in found and found.count("\n") == 1 and found.endswith((".\n", "?\n")) and not out.exists(), f"{words}: {found}"
     assert "does not exist (needed as the deck)" in uncertainty("nowhere.xml", code=2)
+    for deck, said in (("perforation_plane_gimp.xml", "the deck is plane strain, and flow is"),
+            ("jet_import_kinds.xml", "the deck has no rock with pores")):
+        found = uncertainty(DECKS / deck, "--flow", "both", "--out", out, code=1)
+        assert f"--flow both: {said}" in found and found.count("\n") == 1 and not out.exists(), found
     file = folder / "ranges.csv"
     file.write_text("parameter,low,high,known,source\nMaterials/Sandstone/FSLOPE,-0.5,0.6,assumed,a guess\n")
     found = uncertainty(QUICK, *SHORT, "--ranges", file, "--out", out, code=1)
@@ -312,7 +351,7 @@ def main():
         check_numbers(out, said)
         check_goes_on(out)
         check_array_job(out, folder)
-        for check in (check_time_limit, check_one_at_a_time, check_cards, check_found_cards, check_failure, check_bad):
+        for check in (check_time_limit, check_one_at_a_time, check_cards, check_found_cards, check_flow, check_failure, check_bad):
             check(folder)
     print("barreno uncertainty does as docs/uncertainty.md says")
     return 0

@@ -185,6 +185,9 @@ def check_uncertainty(machine, folder):
     assert result.stdout.strip().endswith(r"a\ tree/barreno uncertainty"), result.stdout
     packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
     assert sorted(packages) == ["python3", "python3-matplotlib", "python3-numpy", "python3-pandas", "python3-scipy"], packages
+    _, calls = machine.run("uncertainty", folder / "a deck.xml", "--flow", "radial")
+    packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
+    assert sorted(packages) == sorted([*REPORT_PACKAGES, "python3-scipy"]), packages
 
 
 def check_compare(machine, folder):

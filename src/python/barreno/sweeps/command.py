@@ -5,7 +5,7 @@ import sys
 
 from barreno.runs.faults import exit_code
 from barreno.runs.program import as_set, found_program
-from barreno.sweeps import plan
+from barreno.sweeps import flows, plan
 from barreno.sweeps.array_job import chosen, collect, submit
 from barreno.sweeps.compute import compute_all, refuse_interrupted, say_failures
 from barreno.sweeps.sample import points_of
@@ -22,6 +22,7 @@ def make_plan(options, program, out):
     plan.check_settings([*options.settings, *(["Fidelity"] if options.fidelity else [])], variations)
     options.settings += [f"Fidelity={options.fidelity}"] if options.fidelity else []
     base = program.effective_deck([options.deck, *as_set(options.settings)])
+    flows.check_deck(options, base)
     plan.check_lists(base, variations)
     plan.check_out(out, base)
     points = plan.make_points(program, options.deck, options.settings, variations, points, out)
@@ -38,21 +39,27 @@ def run(words):
     if not options.collect and (options.only is None or not (out / plan.RECORD).exists()):
         plan.write_record(options, base, variations, points, out)
     places = [out, out.parent]
-    write = lambda: write_sweep(out, variations, options.sample, points, print)  # noqa: E731
+
+    def write():
+        if options.flow:
+            flows.add_flows(program, points, options.flow, print)
+        write_sweep(out, variations, options.sample, points, print)
+
     if options.submit:
         return submit(SWEEP, options, words, program, points, places, out)
     if options.collect:
         return collect(program, points, places, write)
-    if options.only is not None:
-        points = chosen(points, options.only)
-    jobs = jobs_of(options, len(points))
+    chosen_points = points if options.only is None else chosen(points, options.only)
+    jobs = jobs_of(options, len(chosen_points))
     program.watch_signals()
-    compute_all(program, points, places, jobs)
-    refuse_interrupted(program, points)
+    compute_all(program, chosen_points, places, jobs)
+    refuse_interrupted(program, chosen_points)
     if options.only is None:
         plan.write_record(options, base, variations, points, out)
         write()
-    return say_failures(points)
+    elif options.flow:
+        flows.add_flows(program, chosen_points, options.flow, print)
+    return say_failures(chosen_points)
 
 
 def main(words=None):

@@ -7,6 +7,7 @@ import pathlib
 from barreno.runs.faults import FILE, Fault
 from barreno.runs.ranks import check_ranks
 from barreno.runs.words import Words
+from barreno.sweeps import flows
 
 EXAMPLE = 'write for example barreno sweep input_xml/perforation_quick.xml --vary "Confinement/Pressure=0,34,69 MPa"'
 SAMPLES = ("grid", "list", "latin")
@@ -37,6 +38,7 @@ def parse(words):
     add("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"',
         help="changes a value of the deck in all runs, as often as needed")
     add("--fidelity", metavar="WORD", help="fast, balanced or reference, as for run")
+    flows.add_word(add)
     add_modes(add)
     return parser.parse_args(words)
 
@@ -83,6 +85,7 @@ def check_words(options):
     check_counts(options)
     check_sample(options)
     check_modes(options)
+    flows.check_word(options)
     if options.submit is None:  # a batch system puts them on other machines
         check_ranks(options.ranks)
     if not pathlib.Path(options.deck).is_file():

@@ -14,7 +14,7 @@ from barreno.runs.faults import FILE, Fault, exit_code
 from barreno.runs.program import as_set, found_program, named
 from barreno.runs.regular_file import read_text
 from barreno.runs.tables import make_folder, place
-from barreno.sweeps import array_job, plan
+from barreno.sweeps import array_job, flows, plan
 from barreno.sweeps.compute import compute_all, refuse_interrupted, say_failures
 from barreno.sweeps.slurm import Study
 from barreno.sweeps.variation import refuse_twice
@@ -253,6 +253,8 @@ def carry_out(options, words, program, points, out, write):
     refuse_interrupted(program, points)
     if options.only is None:
         write()
+    elif options.flow:
+        flows.add_flows(program, points, options.flow, print)
     return say_failures(points)
 
 
@@ -263,6 +265,7 @@ def run(words):
     options.settings += [f"Fidelity={options.fidelity}"] if options.fidelity else []
     base = program.effective_deck([options.deck, *as_set(options.settings)])
     check_base(options, base)
+    flows.check_deck(options, base)
     say = say_aside if options.submit else print
     ranges = find_ranges(options, program, base, say)
     plan.check_out(out, base, RECORD, "a study")
@@ -274,7 +277,13 @@ def run(words):
             make_folder(out)
             place(out / RANGES, ranges_as_csv(ranges))
             write_record(out, record_of(options, base, ranges, points))
-        return carry_out(options, words, program, points, out, lambda: write_results(options, base, ranges, shares, points, out))
+
+        def write():
+            if options.flow:
+                flows.add_flows(program, points, options.flow, print)
+            write_results(options, base, ranges, shares, points, out)
+
+        return carry_out(options, words, program, points, out, write)
 
 
 def main(words=None):

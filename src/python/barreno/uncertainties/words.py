@@ -6,6 +6,7 @@ import pathlib
 from barreno.runs.faults import FILE, Fault
 from barreno.runs.ranks import check_ranks
 from barreno.runs.words import Words
+from barreno.sweeps import flows
 from barreno.sweeps.sample import MOST_RUNS
 from barreno.sweeps.words import add_modes, check_modes
 
@@ -44,6 +45,7 @@ def parse(words):
     add("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"',
         help="changes a value of the deck in all runs, as often as needed")
     add("--fidelity", metavar="WORD", help="fast, balanced or reference, as for run")
+    flows.add_word(add)
     add_modes(add)
     return parser.parse_args(words)
 
@@ -60,6 +62,7 @@ def check_words(options):
     if options.design not in DESIGNS:
         raise Fault(f"--design {options.design} is no way to choose runs; it is one of {LATIN} and {ONE_AT_A_TIME}.")
     check_modes(options)
+    flows.check_word(options)
     if options.submit is None:  # a batch system puts them on other machines
         check_ranks(options.ranks)
     for name, what in ((options.deck, "the deck"), (options.ranges, "--ranges")):
