@@ -52,17 +52,21 @@ def kept_in(folder, file):
     return None
 
 
-def numbers_in(folder, boundary):
-    """{name: number} of a finished run."""
+def computed(point, file, boundary, say):
     from barreno.flow.command import as_json, flow_of  # slow to load
 
-    file = folder / f"flow_{boundary}.json"
-    found = kept_in(folder, file)
-    if not isinstance(found, dict):
-        text = as_json(folder, boundary, *flow_of(folder, boundary))
-        place(file, text)
-        found = json.loads(text)
-    return numbers_of({HEAD: found})
+    text = as_json(point.folder, boundary, *flow_of(point.folder, boundary))
+    place(file, text)
+    found = json.loads(text)
+    say(f"{point.label}: core flow efficiency {found['core_flow_efficiency']:.3f}")
+    return found
+
+
+def numbers_of_flow(point, boundary, say):
+    """{name: number} of a finished run."""
+    file = point.folder / f"flow_{boundary}.json"
+    kept = kept_in(point.folder, file)
+    return numbers_of({HEAD: kept if isinstance(kept, dict) else computed(point, file, boundary, say)})
 
 
 def add_flows(program, points, boundary, say):
@@ -73,6 +77,6 @@ def add_flows(program, points, boundary, say):
         if program.asked:
             raise Fault("interrupted between the flows of the runs; the same command continues.", 128 + program.asked)
         try:
-            point.more = numbers_in(point.folder, boundary)
+            point.more = numbers_of_flow(point, boundary, say)
         except Fault as fault:
             say(f"{point.label} has no flow: {fault}")
