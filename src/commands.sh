@@ -37,10 +37,12 @@ barreno join FOLDER --out FILE    particles that every rank wrote into its own f
 barreno converge DECK [--quantity NAME] [--times "10 us, 20 us"] [--levels 3] [--refine 2] [--out FOLDER]
                 [--set ...] [--fidelity ...] [--ranks N]   cells of several sizes: order, limit, interval (docs/converge.md)
 barreno sweep DECK --vary "LIST/NAME=VALUE,VALUE UNIT"... [--sample grid|list|latin] [--samples N] [--jobs N]
-                [--out FOLDER] [--set ...] [--fidelity ...] [--ranks N] [--submit slurm] [--collect]
+                [--out FOLDER] [--set ...] [--fidelity ...] [--ranks N] [--flow radial|axial|both]
+                [--submit slurm] [--collect]
                                   several values of parameters, runs side by side: table, curves, channels (docs/sweep.md)
 barreno uncertainty DECK [--vary "LIST/NAME=LOW..HIGH UNIT"]... [--ranges FILE.csv] [--hold LIST/NAME]... [--runs N]
                 [--design latin|one-at-a-time] [--jobs N] [--out FOLDER] [--set ...] [--fidelity ...] [--ranks N]
+                [--flow radial|axial|both] [--submit slurm] [--collect]
                                   how sure a depth is: intervals from ranges of the inputs, who contributes what (docs/uncertainty.md)
 barreno compare RUN RUN... [--out FOLDER]   the same for runs at hand: how their decks and results differ
 barreno drive --material CARD --path PATH --out OUT [--steps-per-row N] [--every-step] [--plot PNG]
@@ -220,7 +222,8 @@ help_of() {  # command
     import-ups) package=barreno.imports ;;
     sweep) package=barreno.sweeps ;;
     join) package=barreno.runs.join_exodus ;;
-    jet | flow | converge | uncertainty | compare | fit) ;;
+    uncertainty) package=barreno.uncertainties ;;
+    jet | flow | converge | compare | fit) ;;
     *) package="" ;;
   esac
   if [[ -n $package ]] && page=$(start_python "$package" "${words[@]}" 2>/dev/null); then
@@ -331,12 +334,14 @@ carry_out() {  # the words of the command line
       shift
       demand_deck uncertainty "--fidelity fast" "$@"
       check_ranks_in "$@"
-      need_packages "${uncertainty_packages[@]}"
+      # The flow into holes is computed from their fields.
+      if [[ " $* " == *" --flow"* ]]; then need_packages "${report_packages[@]}" python3-scipy; else need_packages "${uncertainty_packages[@]}"; fi
       prepare OFF
       mpi_environment
+      BARRENO_COMMAND="$(printf '%q' "$0") uncertainty"
       BARRENO_CORES=$(cores)
-      export BARRENO_PROGRAM=$binary BARRENO_CORES
-      start_python barreno.uncertainty "$@"
+      export BARRENO_PROGRAM=$binary BARRENO_COMMAND BARRENO_CORES
+      start_python barreno.uncertainties "$@"
       ;;
     compare)
       shift

@@ -28,7 +28,7 @@ WORDS = 'input_xml/perforation_120us.xml --fidelity fast --set "Time/End Time=20
 
 def run_example(barreno, folder):
     """What uncertainty.json says, without the folders of this machine."""
-    command = [sys.executable, "-m", "barreno.uncertainty", *shlex.split(WORDS), "--out", str(folder)]
+    command = [sys.executable, "-m", "barreno.uncertainties", *shlex.split(WORDS), "--out", str(folder)]
     subprocess.run(command, env={**mpi_environment(), "BARRENO_PROGRAM": str(barreno)}, cwd=ROOT, check=True)
     found = json.loads((folder / "uncertainty.json").read_text())
     summaries = [json.loads((ROOT / run["folder"] / "summary.json").read_text()) for run in found["runs"]]

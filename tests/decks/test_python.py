@@ -35,6 +35,7 @@ import barreno
 from barreno.interface.squares import mean_on_squares
 from barreno.interface.units import unit_of_column
 from barreno.report.particles import ParticleFile
+from refusals import refused
 from tools.runs import DECKS, mpi_environment
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -43,16 +44,6 @@ SHORT = {"Time/End Time": "6 us", "Output/Field Interval": "2 us"}
 LONGEST_IMPORT = 0.3  # s
 AS_OF_A_DICTIONARY = {f"Deck.{name}" for name in ("get", "pop", "setdefault", "update")}
 HEAVY = ("numpy", "pandas", "xarray", "netCDF4", "scipy", "matplotlib")
-
-
-def refused(call, *words, kind=barreno.Fault):
-    try:
-        found = call()
-    except kind as fault:
-        said = str(fault)
-    else:
-        raise AssertionError(f"not refused: {found}")
-    assert all(word in said for word in words) and "\n" not in said, said
 
 
 def check_import():
@@ -338,6 +329,49 @@ def check_sweep(folder):
     assert one["penetration.depth"].tolist() == depths[1:], one
 
 
+def check_uncertainty(folder):
+    """Frames against uncertainty.json and the summaries; the sentences are the command's."""
+    out, vary = folder / "study", {"Jet/Velocity": (0.9, 1.1), "Materials/Steel/A": "500..1500 MPa"}
+    short = {"Time/End Time": "1 us"}
+    study = barreno.uncertainty(QUICK, vary, short, runs=6, seed=2, out=out, quantities="balances.energy.plastic", progress=False)
+    record = json.loads((out / "uncertainty.json").read_text())
+    depth = record["answers"]["penetration.depth"]
+    assert study.answers == list(record["answers"]) and study.sentence == record["answers"][study.answers[0]]["sentence"]
+    row = study.intervals.loc["penetration.depth"]
+    assert [row[name] for name in ("5 %", "median", "95 %", "least")] == [depth["ranges"][name] for name in ("low", "median", "high")] + [
+        depth["least"]], row
+    cells = depth["with_cells"]
+    assert [row[f"{name} with cells"] for name in ("5 %", "95 %")] == [cells["low"], cells["high"]] if cells else np.isnan(
+        row["95 % with cells"]), row
+    units = study.intervals.attrs["units"]
+    assert units["penetration.depth"] == "m" and units["balances.energy.plastic"] == "SI", units
+    assert np.allclose(study.shares.sum(), 1.0) and list(study.shares.index) == [*vary, "interaction and scatter"], study.shares
+    effects = study.effects("penetration.depth")
+    assert effects.index[0] == "Jet/Velocity" and effects.loc["Jet/Velocity", "at_high"] > 0.0, effects
+    assert effects["share"].to_dict() == study.shares["penetration.depth"].drop("interaction and scatter").to_dict()
+    depths = [json.loads((pathlib.Path(run) / "summary.json").read_text())["penetration"]["depth"] for run in study.runs["run"]]
+    assert study.runs["penetration.depth"].tolist() == depths and len(set(depths)) == 6
+    assert study.runs.attrs["units"]["Jet/Velocity"] == "SI"
+    assert study.ranges.loc["Materials/Steel/A", ["low", "high"]].tolist() == [5e8, 1.5e9], study.ranges
+    single = barreno.uncertainty(QUICK, {"Materials/Steel/A": "500..1500 MPa"}, short, design="one-at-a-time", out=folder / "single",
+        progress=False)
+    assert list(single.shares.index) == ["Materials/Steel/A"] and single.intervals["foretold"].isna().all(), single.intervals
+    for call in (barreno.sweep, barreno.uncertainty):
+        refused(lambda call=call: call(QUICK, {"Jet/Velocity": "0.9..1.1"}, flow="up", out=out), "--flow up does not say where the fluid")
+    refused(lambda: study.effects("depth"), '"depth" is not an answer of', "penetration.depth")
+    refused(lambda: barreno.uncertainty(QUICK, "Jet/Velocity=1..2"), "vary is not a dictionary")
+    refused(lambda: barreno.uncertainty(QUICK, {"Jet/Velocity": 1.1}), "vary of Jet/Velocity is 1.1, which is no range")
+    refused(lambda: barreno.uncertainty(QUICK, {"Jet/Velocity": (1.1, 0.9)}, out=out), "is an empty range")
+    refused(lambda: barreno.uncertainty(QUICK, vary, short, runs=4, out=out), "--runs 4 is too few for 2 ranges")
+    refused(lambda: barreno.uncertainty(QUICK, vary, hold="Jett", out=out), "--hold Jett names nothing that is varied")
+    refused(lambda: barreno.uncertainty(QUICK, vary, out=out, progress=False), "holds a study of another deck")
+    few = {**short, "Materials/Tungsten/Bad Particles": "stop"}
+    refused(lambda: barreno.uncertainty(QUICK, {"Step/Largest Expansion": "1.001..100"}, few, design="one-at-a-time", out=folder / "few",
+        progress=False), "too few runs of the study")
+    refused(lambda: barreno.uncertainty(QUICK, {"Materials/Steel/A": "500..501 MPa"}, {"Time/End Time": "0.1 us"}, runs=4, seed=2,
+        out=folder / "before", progress=False), "no answer of the study in", "depth")
+
+
 def check_material(binary, folder):
     rock = barreno.Material("berea_sandstone")
     path, out = DECKS / "paths" / "triaxial_berea.csv", folder / "answer.csv"
@@ -370,8 +404,8 @@ def main():
         for check in (check_import, check_docstrings, lambda: check_bare_python(run), lambda: check_frames(run), check_units,
                 lambda: check_particles(run), lambda: check_grid(run), lambda: check_bad_folders(run, folder),
                 lambda: check_running(binary, folder), lambda: check_interrupt(folder), lambda: check_runs(folder),
-                lambda: check_decks(folder), lambda: check_sweep(folder), lambda: check_material(binary, folder),
-                lambda: check_examples(folder)):
+                lambda: check_decks(folder), lambda: check_sweep(folder), lambda: check_uncertainty(folder),
+                lambda: check_material(binary, folder), lambda: check_examples(folder)):
             check()
     print("the package does as docs/python.md says")
 

@@ -206,6 +206,9 @@ def check_compare(out, folder):
     depths = [json.loads((run / "summary.json").read_text())["penetration"]["depth"] for run in (first, second)]
     assert float(row["Pressure-69MPa difference"]) == depths[1] - depths[0] and abs(float(row["Pressure-69MPa percent"])
         - 100.0 * (depths[1] / depths[0] - 1.0)) < 1e-9, row
+    (probed,) = [line.split() for line in said.splitlines() if line.split()[:1] == ["penetration.probed_depth"]]
+    widths = [json.loads((run / "summary.json").read_text())["penetration"]["probed_depth"] for run in (first, second)]
+    assert [float(cell) for cell in probed[1:3]] == [float(f"{width:.6g}") for width in widths], (probed, widths)
     assert all((folder / "compared" / name).read_bytes()[:4] == b"\x89PNG" for name in ("depth.png", "channels.png"))
     copy = folder / "elsewhere" / "copy"  # a finished run beside a sweep would be taken
     shutil.copytree(first, copy)

@@ -49,7 +49,7 @@ VERSIONED = {  # file -> how it says the version
     "packaging/spack/package.py": r"sanity_version = \"(\S+)\"",
 }
 # Of src/python/barreno, each imports those to its left.
-PARTS = ["runs", "materials", "fit", "imports", "jet", "converge", "report", "flow", "compare", "sweeps", "uncertainty", "interface"]
+PARTS = ["runs", "materials", "fit", "imports", "jet", "converge", "report", "flow", "compare", "sweeps", "uncertainties", "interface"]
 PATH_OF_PYTHON = "sys" + ".path"
 problems = []
 

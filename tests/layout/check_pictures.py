@@ -7,7 +7,7 @@ import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-NAMES = ("runs", "report", "compare", "jet", "flow", "converge", "sweeps", "uncertainty", "interface")
+NAMES = ("runs", "report", "compare", "jet", "flow", "converge", "sweeps", "uncertainties", "interface")
 PACKAGES = [ROOT / "src" / "python" / "barreno" / name for name in NAMES]
 PLOTS, FILES = "plots.py", "regular_file.py"
 PLOTTING = ("matplotlib.pyplot", "matplotlib.figure", "pylab")

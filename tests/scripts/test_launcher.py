@@ -176,13 +176,18 @@ def check_uncertainty(machine, folder):
     """As sweep, with SciPy and without netCDF4; its help needs neither packages nor a build."""
     refused(*machine.run("uncertainty"), 1, "uncertainty takes a deck")
     refused(*machine.run("uncertainty", folder / "nowhere.xml"), 2, "nowhere.xml does not exist")
-    machine.file("src/python/barreno/uncertainty/__main__.py",
-        "import os, sys; print('sure', sys.argv[1:], os.environ['BARRENO_PROGRAM'], os.environ['BARRENO_CORES'])")
+    machine.file("src/python/barreno/uncertainties/__main__.py",
+        "import os, sys; print('sure', sys.argv[1:], os.environ['BARRENO_PROGRAM'], os.environ['BARRENO_CORES'], "
+        "os.environ['BARRENO_COMMAND'])")
     (folder / "a deck.xml").write_text("")
     result, calls = machine.run("uncertainty", folder / "a deck.xml", "--runs", "5")
     assert result.returncode == 0 and f"sure ['{folder / 'a deck.xml'}', '--runs', '5']" in result.stdout, result.stderr
+    assert result.stdout.strip().endswith(r"a\ tree/barreno uncertainty"), result.stdout
     packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
     assert sorted(packages) == ["python3", "python3-matplotlib", "python3-numpy", "python3-pandas", "python3-scipy"], packages
+    _, calls = machine.run("uncertainty", folder / "a deck.xml", "--flow", "radial")
+    packages = [call for call in calls if " install " in call][0].split("--no-install-recommends ")[1].split()
+    assert sorted(packages) == sorted([*REPORT_PACKAGES, "python3-scipy"]), packages
 
 
 def check_compare(machine, folder):

@@ -19,17 +19,8 @@ from barreno.compare import differences, results
 from barreno.converge import command as converge
 from barreno.runs import effective_deck, make_runs, run_folder
 from barreno.runs.csv_table import WORDS, read_csv
-from barreno.runs.faults import Fault
 from barreno.sweeps import compute, plan, sample, slurm, variation, words, write
-
-
-def refused(does, *said):
-    try:
-        does()
-    except Fault as fault:
-        assert all(part in str(fault) for part in said) and "\n" not in str(fault), f"{said}: {fault}"
-        return
-    raise AssertionError(f"not refused: {said}")
+from refusals import refused
 
 
 def read(kind, *lines):
@@ -207,10 +198,15 @@ def check_slurm():
     vary = ["a deck.xml", "--vary", "A/B=1,2,3 mm", "--submit", "slurm"]
     with unittest.mock.patch.dict(os.environ, {"BARRENO_COMMAND": "./barreno sweep", "OMPI_MCA_btl": "self",
             "PYTHONPATH": "/of/this/machine", "BARRENO_PROGRAM": "/of/this/machine/barreno"}):
-        text = slurm.script(options, vary, points, pathlib.Path("out"))
-    for line in ("#SBATCH --array=2-3\n", "#SBATCH --ntasks=4\n", "#SBATCH --output=out/task-%a.log\n",
+        text = slurm.script(slurm.SWEEP, options, vary, points, pathlib.Path("out"))
+    for line in ("#SBATCH --array=2-3\n", "#SBATCH --ntasks=4\n", "#SBATCH --output=out/task-%a.log\n", "#SBATCH --signal=B:TERM@120\n",
             "exec ./barreno sweep 'a deck.xml' --vary 'A/B=1,2,3 mm' --only \"$SLURM_ARRAY_TASK_ID\"\n", "--collect\n"):
         assert line in text, f"{line}: {text}"
+    with unittest.mock.patch.dict(os.environ):
+        os.environ.pop("BARRENO_COMMAND", None)
+        study = slurm.Study("uncertainty", "barreno.uncertainties")
+        other = slurm.script(study, argparse.Namespace(deck="b.xml", ranks=1), ["b.xml"], points, pathlib.Path("out"))
+    assert "--job-name=b-uncertainty\n" in other and "exec /usr/bin/python3 -m barreno.uncertainties b.xml --only" in other, other
     # Nothing of the machine that wrote it.
     assert not any(word in text for word in ("export", "OMPI", "/of/this/machine", os.getcwd(), sys.executable)), text
 
@@ -221,14 +217,14 @@ def check_script_lines(folder):
     for evil in (f"a\ntouch {trap}\n.xml", f"a\rtouch {trap}", f"a\x85touch {trap}", "a\x00b", "a\x1b[2J.xml", "a\udc80"):
         for deck, out, more in ((evil, "out", []), ("a.xml", evil, []), ("a.xml", "out", ["--set", f"Title={evil}"])):
             options = argparse.Namespace(deck=deck, ranks=1)
-            refused(lambda options=options, more=more, out=out: slurm.script(options, [options.deck, "--vary", "A/B=1", *more], points,
-                pathlib.Path(out)), "line end or another control character", "rename it")
-        with unittest.mock.patch.object(slurm, "start_of_command", lambda evil=evil: f"{evil} sweep"):
-            refused(lambda: slurm.script(argparse.Namespace(deck="a.xml", ranks=1), ["a.xml"], points, pathlib.Path("out")),
+            refused(lambda options=options, more=more, out=out: slurm.script(slurm.SWEEP, options, [options.deck, "--vary", "A/B=1", *more],
+                points, pathlib.Path(out)), "line end or another control character", "rename it")
+        with unittest.mock.patch.object(slurm, "start_of_command", lambda _, evil=evil: f"{evil} sweep"):
+            refused(lambda: slurm.script(slurm.SWEEP, argparse.Namespace(deck="a.xml", ranks=1), ["a.xml"], points, pathlib.Path("out")),
                 "the path of barreno")
     with unittest.mock.patch.dict(os.environ, {"BARRENO_COMMAND": "true"}):
         odd = f"$(touch {trap}) `touch {trap}`; touch {trap} #'\" & b.xml"
-        text = slurm.script(argparse.Namespace(deck=odd, ranks=1), [odd, "--out", odd], points, pathlib.Path(odd))
+        text = slurm.script(slurm.SWEEP, argparse.Namespace(deck=odd, ranks=1), [odd, "--out", odd], points, pathlib.Path(odd))
     subprocess.run(["bash", "-c", text], cwd=folder, check=True, timeout=60)
     assert not trap.exists() and all(line.startswith("#") or line.startswith("exec true ") for line in text.splitlines()), text
 

@@ -16,19 +16,11 @@ from barreno.compare.results import Row
 from barreno.fit import card as fitted_card
 from barreno.runs.effective_deck import value_in
 from barreno.runs.faults import Fault
-from barreno.uncertainty import answers, command, decks, design, known, picture, ranges, report, spread, words
-from barreno.uncertainty.ranges import Range
+from barreno.uncertainties import answers, command, decks, design, known, picture, ranges, report, spread, words
+from barreno.uncertainties.ranges import Range
+from refusals import refused
 
 NORMAL_90 = 1.6449  # of standard deviations to either side
-
-
-def refused(does, *said):
-    try:
-        does()
-    except Fault as fault:
-        assert all(part in str(fault) for part in said) and "\n" not in str(fault), f"{said}: {fault}"
-        return
-    raise AssertionError(f"not refused: {said}")
 
 
 def near(found, wanted, within):

@@ -20,6 +20,8 @@ _HOMES = {  # name: module that has it
     "check": "barreno.interface.deck",
     "Deck": "barreno.interface.deck",
     "sweep": "barreno.interface.swept",
+    "uncertainty": "barreno.interface.studied",
+    "Uncertainty": "barreno.interface.studied",
     "Material": "barreno.materials",
     "Fault": "barreno.runs.faults",
 }

@@ -59,9 +59,9 @@ def shares_of(rings, flow):
     return [*above, *zip(depth[:-1], depth[1:], np.diff(at)), *below]
 
 
-def as_json(options, rings, shot, virgin, shares):
+def as_json(run, boundary, rings, shot, virgin, shares):
     efficiency = shot.rate / virgin.rate
-    return json.dumps({"run": str(options.run), "boundary": options.boundary, "core_flow_efficiency": efficiency,
+    return json.dumps({"run": str(run), "boundary": boundary, "core_flow_efficiency": efficiency,
         "skin": skin_of(efficiency, rings), "shape_factor": shot.rate, "shape_factor_virgin": virgin.rate,
         "hole_radius": rings.hole_radius, "cell": float(rings.radii[1] - rings.radii[0]), "mass_error": max(shot.leak, virgin.leak),
         "method": shot.method, "iterations": shot.iterations,
@@ -85,6 +85,15 @@ def lines_of(options, rings, shot, virgin, shares):
         "of the crushed zone let less through, so the real efficiency is lower.")
 
 
+def flow_of(folder, boundary, time=None, cell=None, ranks=1):
+    """(rings, flow into the hole as it is, flow in virgin rock, shares of depths) of a run."""
+    with opened(folder) as run:
+        rings = rings_of(run, time, cell)
+    shot = solve(rings, rings.permeability, boundary, ranks)
+    virgin = solve(rings, rings.virgin_mobility, boundary, ranks)
+    return rings, shot, virgin, shares_of(rings, shot)
+
+
 def run(words):
     options = parse(words)
     check_ranks(options.ranks)
@@ -92,15 +101,11 @@ def run(words):
         raise Fault(f"'{options.run}' is not a folder (flow reads what a run wrote into it); check the path.", FILE)
     time = quantity_in("--time", options.time, TIME_UNITS, "200 us") if options.time else None
     cell = quantity_in("--cell", options.cell, LENGTH_UNITS, "1 mm") if options.cell else None
-    with opened(options.run) as folder:
-        rings = rings_of(folder, time, cell)
-    shot = solve(rings, rings.permeability, options.boundary, options.ranks)
-    virgin = solve(rings, rings.virgin_mobility, options.boundary, options.ranks)
-    shares = shares_of(rings, shot)
+    rings, shot, virgin, shares = flow_of(options.run, options.boundary, time, cell, options.ranks)
     print("\n".join(lines_of(options, rings, shot, virgin, shares)))
     out = pathlib.Path(options.out) if options.out else pathlib.Path(options.run) / "flow"
     make_folder(out)
-    place(out / "flow.json", as_json(options, rings, shot, virgin, shares))
+    place(out / "flow.json", as_json(options.run, options.boundary, rings, shot, virgin, shares))
 
     def picture(aside):
         from barreno.flow.picture import draw  # slow to load

@@ -23,10 +23,12 @@ def words_of(file, vary, settings, options):
     words = [str(file)]
     for path, values in vary.items():
         words += ["--vary", f"{path}={text_of(values)}"]
-    words += as_set(setting_words(settings, OF_A_DECK))
-    for name, value in options.items():
-        words += [] if value is None else [f"--{name}", str(value)]
-    return words
+    return words + as_set(setting_words(settings, OF_A_DECK)) + option_words(options)
+
+
+def option_words(options):
+    """Of a command.  @param options  {name: value}; None leaves it out"""
+    return [word for name, value in options.items() if value is not None for word in (f"--{name}", str(value))]
 
 
 @contextlib.contextmanager
@@ -42,7 +44,8 @@ def signals_kept():
             signal.signal(number, handler)
 
 
-def sweep(deck, vary, set=None, fidelity=None, sample="grid", samples=None, seed=None, ranks=1, jobs=None, out=None, progress=True):
+def sweep(deck, vary, set=None, fidelity=None, sample="grid", samples=None, seed=None, ranks=1, jobs=None, out=None, flow=None,
+        progress=True):
     """Computes a deck for several values of its parameters; finished runs of the same values are taken as they are.
 
     Parameters
@@ -61,6 +64,8 @@ def sweep(deck, vary, set=None, fidelity=None, sample="grid", samples=None, seed
         Processes of every run, and runs at a time.
     out : path, optional
         Folder of the runs; runs/DECK-sweep if it is not given.
+    flow : {"radial", "axial", "both"}, optional
+        Also the steady flow into the hole of every run: columns flow.core_flow_efficiency, flow.skin and so on (docs/flow.md).
     progress : bool
         Whether to print a line for every run that ends.
 
@@ -80,7 +85,8 @@ def sweep(deck, vary, set=None, fidelity=None, sample="grid", samples=None, seed
         raise Fault('vary is not a dictionary; write for example vary={"Confinement/Pressure": "0,34,69 MPa"}.')
     with file_of(deck) as file, signals_kept():
         folder = pathlib.Path(out) if out is not None else pathlib.Path("runs") / f"{file.stem}-sweep"
-        options = {"fidelity": fidelity, "sample": sample, "samples": samples, "seed": seed, "ranks": ranks, "jobs": jobs, "out": folder}
+        options = {"fidelity": fidelity, "sample": sample, "samples": samples, "seed": seed, "ranks": ranks, "jobs": jobs, "out": folder,
+            "flow": flow}
         with contextlib.nullcontext() if progress else contextlib.redirect_stdout(io.StringIO()):
             code = run_sweep(words_of(file, vary, set, options))
     frame = read_frame(folder / "table.csv", texts=True) if (folder / "table.csv").is_file() else None

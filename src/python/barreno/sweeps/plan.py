@@ -28,6 +28,7 @@ class Point(Run):
 
     values: tuple = ()
     label: str = ""
+    more: dict = dataclasses.field(default_factory=dict)  # numbers beside those of its summary
 
 
 def check_lists(base, variations):

@@ -7,6 +7,7 @@ import pathlib
 from barreno.runs.faults import FILE, Fault
 from barreno.runs.ranks import check_ranks
 from barreno.runs.words import Words
+from barreno.sweeps import flows
 
 EXAMPLE = 'write for example barreno sweep input_xml/perforation_quick.xml --vary "Confinement/Pressure=0,34,69 MPa"'
 SAMPLES = ("grid", "list", "latin")
@@ -37,11 +38,17 @@ def parse(words):
     add("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"',
         help="changes a value of the deck in all runs, as often as needed")
     add("--fidelity", metavar="WORD", help="fast, balanced or reference, as for run")
+    flows.add_word(add)
+    add_modes(add)
+    return parser.parse_args(words)
+
+
+def add_modes(add):
+    """Words of the array job, also of other commands that make many runs."""
     add("--submit", nargs="?", const="", metavar="slurm", help="print the script of an array job, one task per run, instead of computing")
     add("--collect", action="store_true", help="compute nothing: table and pictures of the runs that are there")
     add("--only", type=int, metavar="N",
         help="compute the run of this number alone, from 1, without table and pictures (a task of the array job)")
-    return parser.parse_args(words)
 
 
 def check_counts(options):
@@ -78,6 +85,7 @@ def check_words(options):
     check_counts(options)
     check_sample(options)
     check_modes(options)
+    flows.check_word(options)
     if options.submit is None:  # a batch system puts them on other machines
         check_ranks(options.ranks)
     if not pathlib.Path(options.deck).is_file():

@@ -3,6 +3,7 @@
 
 from barreno.compare.results import FINISHED, Row, draw_into, finished_row, write_results
 from barreno.runs.tables import aligned, number
+from barreno.sweeps.flows import EFFICIENCY
 from barreno.sweeps.plan import short_names, si_values
 
 CHANNEL, PROBED = "penetration.channel_depth", "penetration.probed_depth"
@@ -12,6 +13,7 @@ COLUMNS = {  # number of summary.json: head and factor on the screen
     "penetration.through_since": ("through since [us]", 1e6),
     CHANNEL: ("open channel [mm]", 1e3),
     PROBED: ("as wide as the jet [mm]", 1e3),
+    EFFICIENCY: ("core flow efficiency", 1.0),
     "balances.energy.error": ("energy error", 1.0),
     "wall_seconds": ("wall time [s]", 1.0),
 }
@@ -42,12 +44,18 @@ def state_of(point):
     return FINISHED if point.how and not point.code else "failed" if point.code else "missing"
 
 
+def row_of(point, values):
+    """@param values  of what was varied, as texts"""
+    state = state_of(point)
+    if state != FINISHED:
+        return Row(point.label, point.folder, values, state)
+    row = finished_row(point.label, point.folder, values)
+    row.scalars.update(point.more)
+    return row
+
+
 def rows_of(points, columns):
-    rows = []
-    for i, point in enumerate(points):
-        values, state = [column.texts[i] for column in columns], state_of(point)
-        rows.append(finished_row(point.label, point.folder, values) if state == FINISHED else Row(point.label, point.folder, values, state))
-    return rows
+    return [row_of(point, [column.texts[i] for column in columns]) for i, point in enumerate(points)]
 
 
 def is_narrow(row):

@@ -10,7 +10,7 @@ from barreno.runs.effective_deck import value_in
 from barreno.runs.faults import FILE, Fault
 from barreno.runs.units import UNITS
 from barreno.sweeps.variation import read_range, value_of
-from barreno.uncertainty.decks import FACTORS, tied_settings
+from barreno.uncertainties.decks import FACTORS, tied_settings
 
 MARKS = ("seen", "recalled", "derived", "assumed", "fitted", "given")
 NEEDED = ("parameter", "low", "high")

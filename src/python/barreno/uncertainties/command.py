@@ -8,22 +8,26 @@ import shutil
 import sys
 import tempfile
 
-from barreno.compare.results import FINISHED, Row, as_csv, draw_into, finished_row
+from barreno.compare.results import FINISHED, as_csv, draw_into
 from barreno.runs.effective_deck import value_in
 from barreno.runs.faults import FILE, Fault, exit_code
 from barreno.runs.program import as_set, found_program, named
+from barreno.runs.regular_file import read_text
 from barreno.runs.tables import make_folder, place
-from barreno.sweeps import plan
+from barreno.sweeps import array_job, flows, plan
 from barreno.sweeps.compute import compute_all, refuse_interrupted, say_failures
+from barreno.sweeps.slurm import Study
 from barreno.sweeps.variation import refuse_twice
 from barreno.sweeps.words import jobs_of
-from barreno.uncertainty import decks, report
-from barreno.uncertainty.answers import analyse_all, answers_of
-from barreno.uncertainty.design import least_runs, shares_of
-from barreno.uncertainty.known import drop_changed, known_ranges
-from barreno.uncertainty.ranges import as_csv as ranges_as_csv, read_file, read_word, settle
-from barreno.uncertainty.words import LATIN, check_words, out_folder, parse
+from barreno.sweeps.write import row_of
+from barreno.uncertainties import decks, report
+from barreno.uncertainties.answers import analyse_all, answers_of
+from barreno.uncertainties.design import least_runs, shares_of
+from barreno.uncertainties.known import drop_changed, known_ranges
+from barreno.uncertainties.ranges import as_csv as ranges_as_csv, read_file, read_word, settle
+from barreno.uncertainties.words import LATIN, check_words, out_folder, parse
 
+STUDY = Study("uncertainty", "barreno.uncertainties")
 RECORD = "uncertainty.json"
 MOST_NAMES = 5  # of parameters in a sentence
 INPUTS = "inputs"  # folder of decks with other jets
@@ -123,12 +127,14 @@ def words_of_run(options, base, jet_base, ranges, values, number, out):
         return [options.deck, *as_set([*options.settings, *settings])]
     make_folder(out / INPUTS)
     file = out / INPUTS / f"jet-{digest_of(decks.factors_of(values))}.xml"
-    place(file, decks.with_jet(jet_base[0], *decks.factors_of(values), jet_base[1]))
+    deck = decks.with_jet(jet_base[0], *decks.factors_of(values), jet_base[1])
+    if not file.is_file() or read_text(file) != deck:  # tasks of an array job, which plan anew at the same time, leave it
+        place(file, deck)
     return [str(file), *as_set(settings)]
 
 
-def make_points(options, program, base, ranges, shares, out):
-    points, jet_base = [], fit_cells(program, base, ranges, print)
+def make_points(options, program, base, ranges, shares, out, say):
+    points, jet_base = [], fit_cells(program, base, ranges, say)
     for number, row in enumerate(shares, 1):
         values = values_of(ranges, row)
         run_words = words_of_run(options, base, jet_base, ranges, values, number, out)
@@ -147,12 +153,14 @@ def deck_of(program, ranges, point):
             "one of these parameters with --hold.", fault.code) from None
 
 
-def make_plan(options, program, base, ranges, out):
+def make_plan(options, program, base, ranges, out, say):
     """Shares and points; of a plan that is refused nothing is left."""
     shares = shares_of(options, ranges)
+    if options.only is not None:
+        array_job.chosen(shares, options.only)
     new = not out.exists()
     try:
-        return shares, make_points(options, program, base, ranges, shares, out)
+        return shares, make_points(options, program, base, ranges, shares, out, say)
     except Fault:
         if new:
             shutil.rmtree(out, ignore_errors=True)
@@ -174,12 +182,7 @@ def write_record(out, record):
 
 
 def rows_of(points):
-    rows = []
-    for point in points:
-        values = [f"{value:.9g}" for value in point.values]
-        finished = point.how and not point.code
-        rows.append(finished_row(point.label, point.folder, values) if finished else Row(point.label, point.folder, values, "failed"))
-    return rows
+    return [row_of(point, [f"{value:.9g}" for value in point.values]) for point in points]
 
 
 def enough(options, ranges, rows):
@@ -203,7 +206,7 @@ def write_results(options, base, ranges, shares, points, out):
         shares, rows = [share for share, _ in kept], [row for _, row in kept]
         answers, remarks = answers_of(rows, options.quantity)
         analyse_all(answers, options.design, shares, rows)
-        record["answers"] = report.as_numbers(answers, ranges)
+        record["answers"], record["left_out"] = report.as_numbers(answers, ranges), list(remarks)
         files += draw_tornado(out, answers, ranges, remarks)
         lines = [*remarks, *report.lines_of(answers, ranges, options.design, len(rows))]
     write_record(out, record)
@@ -217,7 +220,7 @@ def draw_tornado(out, answers, ranges, remarks):
         return []
 
     def draw(aside):
-        from barreno.uncertainty.picture import draw  # slow to load
+        from barreno.uncertainties.picture import draw  # slow to load
 
         draw(aside, answers, ranges)
 
@@ -230,6 +233,31 @@ def check_base(options, base):
             "--quantity balances.energy.plastic.")
 
 
+def say_aside(line):
+    """Where what is printed is a script."""
+    print(line, file=sys.stderr)
+
+
+def carry_out(options, words, program, points, out, write):
+    """The runs, or what the words of an array job ask for.  @param write  results of all that has finished"""
+    places = [out, out.parent]
+    if options.submit:
+        return array_job.submit(STUDY, options, words, program, points, places, out)
+    if options.collect:
+        return array_job.collect(program, points, places, write)
+    if options.only is not None:
+        points = array_job.chosen(points, options.only)
+    jobs = jobs_of(options, len(points))
+    program.watch_signals()
+    compute_all(program, points, places, jobs)
+    refuse_interrupted(program, points)
+    if options.only is None:
+        write()
+    elif options.flow:
+        flows.add_flows(program, points, options.flow, print)
+    return say_failures(points)
+
+
 def run(words):
     options = parse(words)
     check_words(options)
@@ -237,19 +265,25 @@ def run(words):
     options.settings += [f"Fidelity={options.fidelity}"] if options.fidelity else []
     base = program.effective_deck([options.deck, *as_set(options.settings)])
     check_base(options, base)
-    ranges = find_ranges(options, program, base, print)
+    flows.check_deck(options, base)
+    say = say_aside if options.submit else print
+    ranges = find_ranges(options, program, base, say)
     plan.check_out(out, base, RECORD, "a study")
+    if options.collect and not (out / RECORD).exists():
+        raise Fault(f"{out} holds no study (no {RECORD}), so there is nothing to collect; the command without --collect computes it.", FILE)
     with named(pathlib.Path(options.deck).name):
-        shares, points = make_plan(options, program, base, ranges, out)
-        make_folder(out)
-        place(out / RANGES, ranges_as_csv(ranges))
-        write_record(out, record_of(options, base, ranges, points))
-        jobs = jobs_of(options, len(points))
-        program.watch_signals()
-        compute_all(program, points, [out, out.parent], jobs)
-    refuse_interrupted(program, points)
-    write_results(options, base, ranges, shares, points, out)
-    return say_failures(points)
+        shares, points = make_plan(options, program, base, ranges, out, say)
+        if not options.collect and (options.only is None or not (out / RECORD).exists()):
+            make_folder(out)
+            place(out / RANGES, ranges_as_csv(ranges))
+            write_record(out, record_of(options, base, ranges, points))
+
+        def write():
+            if options.flow:
+                flows.add_flows(program, points, options.flow, print)
+            write_results(options, base, ranges, shares, points, out)
+
+        return carry_out(options, words, program, points, out, write)
 
 
 def main(words=None):

@@ -3,4 +3,4 @@ import sys
 
 from barreno.runs.faults import start
 
-sys.exit(start("barreno.uncertainty.command"))
+sys.exit(start("barreno.uncertainties.command"))

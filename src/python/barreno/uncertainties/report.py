@@ -5,8 +5,8 @@ import math
 
 from barreno.compare.results import list_of
 from barreno.runs.tables import aligned
-from barreno.uncertainty.spread import FAIR, LEVEL, confidence_of_span
-from barreno.uncertainty.words import LATIN
+from barreno.uncertainties.spread import FAIR, LEVEL, confidence_of_span
+from barreno.uncertainties.words import LATIN
 
 MOST_NAMED = 3  # contributors in a sentence
 LEAST_NAMED = 0.05  # share

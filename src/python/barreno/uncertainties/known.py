@@ -10,8 +10,8 @@ from barreno import places
 from barreno.runs.effective_deck import lists_in, value_in
 from barreno.runs.faults import FILE, Fault
 from barreno.runs.regular_file import read_text
-from barreno.uncertainty.decks import FACTORS, RADIUS, VELOCITY
-from barreno.uncertainty.ranges import Range, read_file
+from barreno.uncertainties.decks import FACTORS, RADIUS, VELOCITY
+from barreno.uncertainties.ranges import Range, read_file
 
 SHIPPED = "ranges"  # folder beside the cards
 ASSUMED = {VELOCITY: 0.02, RADIUS: 0.05}  # half widths, relative; docs/uncertainty.md says so
@@ -40,15 +40,31 @@ def cards_of(options):
     return {material: card for material, card in found.items() if card}
 
 
+def card_at(folder, card):
+    """In exactly these letters, with or without ending; None if there is none."""
+    return next((file for file in (folder / card, folder / f"{card}.xml") if file.exists() and not file.is_dir()), None)
+
+
+def plain_name(name):
+    """In small letters, and without the ending."""
+    return name.lower().removesuffix(".xml")
+
+
+def card_named(folder, card):
+    """In exactly these letters, else in others."""
+    exact = card_at(folder, card)
+    if exact or not folder.is_dir():
+        return exact
+    return next((file for file in sorted(folder.glob("*.xml")) if plain_name(file.name) == plain_name(card)), None)
+
+
 def find_card(card, deck):
-    """The file of a card, where the program looks for it; None where it is not found."""
-    name = card if card.lower().endswith(".xml") else f"{card}.xml"
-    others = [pathlib.Path(folder) for folder in os.environ.get("BARRENO_MATERIALS", "").split(":") if folder]
-    for folder in [pathlib.Path(deck).parent, *others, *filter(None, [places.cards()])]:
-        for file in (folder / card, folder / name, folder / name.lower()):
-            if file.is_file():
-                return file
-    return None
+    """The file of a card, by the rule of materials/src/find_card.cpp: beside the deck, in BARRENO_MATERIALS, among those that Barreno comes
+    with; None where it is not found. The program says no more of a card than its name."""
+    folders = [pathlib.Path(folder) for folder in os.environ.get("BARRENO_MATERIALS", "").split(":") if folder]
+    folders += [places.cards()] if places.cards() else []
+    beside = card_at(pathlib.Path(deck).parent, card)
+    return beside or next(filter(None, (card_named(folder, card) for folder in folders)), None)
 
 
 def fitted_ranges(file, material):

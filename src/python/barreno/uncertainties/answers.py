@@ -6,13 +6,15 @@ import re
 
 import numpy
 
-from barreno.uncertainty import spread
-from barreno.uncertainty.words import LATIN
+from barreno.sweeps.flows import EFFICIENCY
+from barreno.uncertainties import spread
+from barreno.uncertainties.words import LATIN
 
 DEPTH, PROBED = "penetration.depth", "penetration.probed_depth"
 KINDS = (  # what is looked at without being asked for: name in summary.json, words, unit, what a number in SI is multiplied by
     (re.escape(DEPTH), "depth", "mm", 1e3),
     (re.escape(PROBED), "probed depth", "mm", 1e3),
+    (re.escape(EFFICIENCY), "core flow efficiency", "", 1.0),
     (r"penetration\.entrance_diameter_in_body\.(?P<body>.+)", "entrance diameter in {body}", "mm", 1e3),
     (r"penetration\.channel_volume", "volume of the hole", "cm3", 1e6),
     (r"penetration\.zones_in_body\.(?P<body>.+)\.skin", "skin of {body}", "", 1.0),
@@ -95,8 +97,8 @@ def cell_errors(name, rows):
 
 
 def at_least_zero(found, answer):
-    """No length or volume is below 0, however wide a fit makes the interval."""
-    if answer.unit:
+    """No length, volume or efficiency is below 0, however wide a fit makes the interval."""
+    if answer.unit or answer.name == EFFICIENCY:
         found.low, found.median = max(found.low, 0.0), max(found.median, 0.0)
     return found
 

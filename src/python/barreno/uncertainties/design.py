@@ -3,7 +3,7 @@
 
 from barreno.runs.faults import Fault
 from barreno.sweeps.sample import hypercube
-from barreno.uncertainty.words import LATIN
+from barreno.uncertainties.words import LATIN
 
 SPARE = 3  # runs beyond the number of ranges: one for the mean, two for what the ranges do not explain
 NEAR = 0.02  # of a range: the deck's value is no nearer to an end, or it would tell nothing that the end does not

@@ -6,7 +6,9 @@ import pathlib
 from barreno.runs.faults import FILE, Fault
 from barreno.runs.ranks import check_ranks
 from barreno.runs.words import Words
+from barreno.sweeps import flows
 from barreno.sweeps.sample import MOST_RUNS
+from barreno.sweeps.words import add_modes, check_modes
 
 EXAMPLE = "write for example barreno uncertainty input_xml/perforation.xml --fidelity fast"
 LATIN, ONE_AT_A_TIME = "latin", "one-at-a-time"
@@ -22,8 +24,8 @@ def parse(words):
         epilog="Examples:\n  barreno uncertainty input_xml/perforation.xml --fidelity fast\n"
         "  barreno uncertainty input_xml/perforation.xml \\\n"
         '      --vary "Materials/Sandstone/FSLOPE=0.5..0.6" --vary "Jet/Velocity=0.98..1.02"\n\n'
-        "Exit codes: 0 finished, 1 bad deck or arguments, 2 file; of a run that failed, its own; 128 + the number of the signal that\n"
-        "ended the command.",
+        "Exit codes: 0 finished, 1 bad deck or arguments, 2 file, or runs that --collect does not find; of a run that failed, its own;\n"
+        "128 + the number of the signal that ended the command.",
     )
     add = parser.add_argument
     add("deck", metavar="DECK", help="deck file (docs/deck.md)")
@@ -43,6 +45,8 @@ def parse(words):
     add("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"',
         help="changes a value of the deck in all runs, as often as needed")
     add("--fidelity", metavar="WORD", help="fast, balanced or reference, as for run")
+    flows.add_word(add)
+    add_modes(add)
     return parser.parse_args(words)
 
 
@@ -57,7 +61,10 @@ def check_words(options):
         raise Fault(f"--seed {options.seed} is below 0 (a seed is a whole number from 0); write for example --seed 2.")
     if options.design not in DESIGNS:
         raise Fault(f"--design {options.design} is no way to choose runs; it is one of {LATIN} and {ONE_AT_A_TIME}.")
-    check_ranks(options.ranks)
+    check_modes(options)
+    flows.check_word(options)
+    if options.submit is None:  # a batch system puts them on other machines
+        check_ranks(options.ranks)
     for name, what in ((options.deck, "the deck"), (options.ranges, "--ranges")):
         if name is not None and not pathlib.Path(name).is_file():
             raise Fault(f"{name} does not exist (needed as {what}); check the path.", FILE)
