@@ -102,21 +102,22 @@ std::string take_divided(const Rows& rows, DepthTables& tables) {
     const DepthError error{row.numbers[1], row.numbers[2], row.numbers[3]};
     if (!(error.low <= error.value && error.value <= error.high))
       return "an error is outside of its range";
+    const bool probed = row.name == "probed depth";
     if (row.name == "depth")
-      tables.divided.push_back({cells, error, {}});
-    else if (row.name != "probed depth")
+      tables.divided.push_back({cells, error, {}, {}});
+    else if (!probed && row.name != "volume")
       return "nothing is known of rows \"" + row.name + "\"";
     else if (tables.divided.empty() || tables.divided.back().cells_per_radius != cells)
-      return "a probed depth does not follow the depth with the same cells";
+      return "a " + row.name + " does not follow the depth with the same cells";
     else
-      tables.divided.back().probed = error;
+      (probed ? tables.divided.back().probed : tables.divided.back().volume) = error;
   }
   const auto fewer = [](const DividedError& a, const DividedError& b) {
     return a.cells_per_radius < b.cells_per_radius;
   };
   const std::vector<DividedError>& found = tables.divided;
-  if (found.size() < 2 || rows.size() != 2 * found.size())
-    return "it has not two errors for each of several sizes of cells";
+  if (found.size() < 2 || rows.size() != 3 * found.size())
+    return "it has not three errors for each of several sizes of cells";
   return std::is_sorted(found.begin(), found.end(), fewer) ? "" : "its cells are not sorted";
 }
 

@@ -104,8 +104,15 @@ DepthDoubt divided_depth_doubt(const Scene& scene, double time, const DepthTable
   return doubt;
 }
 
-DepthDoubt probed_depth_doubt(
-    const Scene& scene, double time, const Penetration& found, const DepthTables& tables
+namespace {
+
+/// Of a hole whose jet is divided and has not left the target.
+DepthDoubt hole_doubt(
+    const Scene& scene,
+    double time,
+    const Penetration& found,
+    const DepthTables& tables,
+    DepthError DividedError::*whose
 ) {
   DepthDoubt doubt;
   if (!is_divided(scene))
@@ -114,8 +121,22 @@ DepthDoubt probed_depth_doubt(
   else if (found.through)
     doubt.unknown = "the jet has come out of the rear of the target";
   else
-    doubt = doubt_of(scene, time, tables, &DividedError::probed);
+    doubt = doubt_of(scene, time, tables, whose);
   return doubt;
+}
+
+}  // namespace
+
+DepthDoubt probed_depth_doubt(
+    const Scene& scene, double time, const Penetration& found, const DepthTables& tables
+) {
+  return hole_doubt(scene, time, found, tables, &DividedError::probed);
+}
+
+DepthDoubt volume_doubt(
+    const Scene& scene, double time, const Penetration& found, const DepthTables& tables
+) {
+  return hole_doubt(scene, time, found, tables, &DividedError::volume);
 }
 
 }  // namespace barreno

@@ -26,4 +26,13 @@ DepthDoubt probed_depth_doubt(
     const DepthTables& tables = depth_tables()
 );
 
+/// What they do to the volume of the hole (channel_volume()) of a run; unknown of all jets but
+/// these.
+DepthDoubt volume_doubt(
+    const Scene& scene,
+    double time,
+    const Penetration& found,
+    const DepthTables& tables = depth_tables()
+);
+
 }  // namespace barreno

@@ -106,11 +106,16 @@ void add_hole_lines(
         "error of the depth from the size of the cells: " +
         depth_doubt_text(depth_doubt(scene, time, penetration))
     );
-  if (penetration.met && is_divided(scene))
+  if (penetration.met && is_divided(scene)) {
     lines.push_back(
         "error of the depth of the hole that is as wide as the jet: " +
         depth_doubt_text(probed_depth_doubt(scene, time, penetration))
     );
+    lines.push_back(
+        "error of the volume of the hole: " +
+        depth_doubt_text(volume_doubt(scene, time, penetration))
+    );
+  }
 }
 
 }  // namespace

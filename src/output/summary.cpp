@@ -173,8 +173,10 @@ void put_penetration(
   if (scene.jet.present) put_resolution(reached, scene, p);
   if (!p.met) return;
   put_depth_error(reached["depth_error"], depth_doubt(scene, time, p));
-  if (is_divided(scene))
+  if (is_divided(scene)) {
     put_depth_error(reached["probed_depth_error"], probed_depth_doubt(scene, time, p));
+    put_depth_error(reached["channel_volume_error"], volume_doubt(scene, time, p));
+  }
 }
 
 /// What crushing and dilation have made of the rock around the hole.

@@ -11,7 +11,10 @@ DECK = "the deck"
 MADE_FROM = (DECK, "no confinement")  # shots that the intervals are made from; others try them
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
-WHAT = ("depth", "probed depth")
+WHAT = ("depth", "probed depth", "volume")
+WORDS = {"depth": "the tip", "probed depth": "the hole as wide as the jet", "volume": "the volume of the hole"}
+UNITS = {"depth": ("mm", 1e3, 0), "probed depth": ("mm", 1e3, 0), "volume": ("cm3", 1e6, 1)}  # with a factor, and digits after the point
+LIKE = 1.1  # how far the program takes another jet for that of the deck (src/jet/divided_error.cpp)
 # Standard deviations of one run by which two single runs may differ: where the interval of one is held against another (docs/trade.md).
 APART = 3.0
 
@@ -53,7 +56,7 @@ def mean_at(cells, single, what, time):
 
 def deviation(runs, what, time):
     """Standard deviation of one of several runs over their mean, in the program's own numbers, which are finer than stored radii."""
-    depths = [at(one, what, time) if what == "depth" else one["probed_depth"] for one in runs]
+    depths = [one["probed_depth"] if what == "probed depth" else at(one, what, time) for one in runs]
     return statistics.stdev(depths) / statistics.mean(depths)
 
 
@@ -63,11 +66,13 @@ def scatter(what):
 
 
 def times_of(what):
-    return [REST] if what == "probed depth" else [time for time in TIMES if time >= FROM]
+    return [time for time in TIMES if time >= FROM] if what == "depth" else [REST]
 
 
 def at(one, what, time):
-    return one["depth"][TIMES.index(time)] if what == "depth" else one["wide_depth"]
+    if what == "depth":
+        return one["depth"][TIMES.index(time)]
+    return one["channel_volume" if what == "volume" else "wide_depth"]
 
 
 def changes(runs, coarse, fine, what):
@@ -132,7 +137,7 @@ def scatter_table():
     lines = [AGREE.format(rest=REST).strip(), "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for cells, runs in sorted(repeats().items()):
         row = [f"{cells:g}", str(len(runs))]
-        for what in WHAT:
+        for what in WHAT[:2]:
             row += [f"{1e3 * statistics.mean(at(one, what, REST) for one in runs):.0f}", f"{100 * deviation(runs, what, REST):.1f} %"]
         volumes = [1e6 * one["channel_volume"] for one in runs]
         row += [f"{statistics.mean(volumes):.1f}", f"{100 * statistics.stdev(volumes) / statistics.mean(volumes):.1f} %"]
@@ -145,8 +150,8 @@ HEAD = """How wide the hole must be decides whether its depth is known. The thre
 widest slug, its depth hardly grows after {rest} us ({grown}), and it hardly follows the cells. It narrows slowly there, and necks come and
 go: one of a few millimetres decided between depths of 473 and 570 mm. So `probed_depth` (depth.csv, summary.json and the screen) passes
 necks of up to five diameters of that slug, where the hole is as wide on either side. Shots with divided particles at that time
-(`verification/depth_shots.py BARRENO`; the depth, and how far the hole is as wide as the jet [mm], from its radii every {step:g} mm; the
-interval is that of the program, made from {made}):
+(`verification/depth_shots.py BARRENO`; the depth, how far the hole is as wide as the jet, from its radii every {step:g} mm, and its volume;
+the interval is that of the program, made from {made}):
 """
 
 
@@ -180,25 +185,29 @@ The hole hardly follows the cells down to where it is as narrow as the jet (the 
 """
 
 
+def is_like(shot):
+    """Whether the program takes the jet of a shot for that of the deck; of others it says that their error is unknown."""
+    return all(1.0 / LIKE <= factor <= LIKE * (1.0 + 1e-9) for factor in SHOTS[shot][1].values())
+
+
 def table():
-    head = ("shot", "cells per radius", "depth of", "depth [mm]", "interval [mm]", "with smaller cells [mm]", "their cells per radius",
-        "held")
+    head = ("shot", "cells per radius", "what", "unit", "found", "interval", "with smaller cells", "their cells per radius", "held")
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for shot, cells, finest, what, depth, (low, high), truth, held in trials():
-        words = "the tip" if what == "depth" else "the hole as wide as the jet"
-        lengths = f"{1e3 * depth:.0f} | {1e3 * low:.0f} to {1e3 * high:.0f} | {1e3 * truth:.0f}"
-        lines.append(f"| {shot} | {cells:g} | {words} | {lengths} | {finest:g} | {'yes' if held else 'no'} |")
+        unit, factor, digits = UNITS[what]
+        found, low, high, truth = (f"{factor * one:.{digits}f}" for one in (depth, low, high, truth))
+        verdict = ("yes" if held else "no") if is_like(shot) else f"another jet: unknown; it would {'' if held else 'not '}hold"
+        lines.append(f"| {shot} | {cells:g} | {WORDS[what]} | {unit} | {found} | {low} to {high} | {truth} | {finest:g} | {verdict} |")
     return lines
 
 
 def summary():
-    """How many intervals hold the depth with smaller cells, apart from the shot that made them."""
+    """How many intervals hold what smaller cells give, apart from the shots that made them and from jets that the program refuses."""
     for what in WHAT:
-        all_of = [one for one in trials() if one[3] == what and one[0] not in (*MADE_FROM, LATER)]
+        all_of = [one for one in trials() if one[3] == what and one[0] not in (*MADE_FROM, LATER) and is_like(one[0])]
         held = sum(one[-1] for one in all_of)
-        words = "the depth" if what == "depth" else "the depth of the hole as wide as the jet"
         if all_of:
-            yield f"Of {len(all_of)} intervals of {words} in shots that they were not made from, {held} hold the depth with smaller cells."
+            yield f"Of {len(all_of)} intervals of {WORDS[what]} in shots that they were not made from, {held} hold what smaller cells give."
 
 
 def section():

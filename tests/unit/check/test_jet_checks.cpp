@@ -557,6 +557,9 @@ TEST(DividedError, IsThatOfTheTableAndBetweenItsCells) {
     EXPECT_EQ(probed.unknown, "");
     EXPECT_NEAR(probed.error.value, one->probed.value, 1e-9);
     EXPECT_NEAR(probed.error.low, one->probed.low, 1e-9);
+    const DepthDoubt volume = volume_doubt(scene, 200e-6, found);
+    EXPECT_EQ(volume.unknown, "");
+    EXPECT_NEAR(volume.error.high, one->volume.high, 1e-9);
   }
   const DepthDoubt middle = with_cells(std::sqrt(coarse.cells_per_radius * fine.cells_per_radius));
   EXPECT_NEAR(middle.error.value, 0.5 * (coarse.depth.value + fine.depth.value), 1e-9);
@@ -571,6 +574,7 @@ TEST(DividedError, OfTheDepthEndsWithTheMeasurementsAndThatOfTheWideHoleDoesNot)
   EXPECT_EQ(probed_depth_doubt(scene, 560e-6, found).unknown, "");
   found.through = true;
   EXPECT_TRUE(says(probed_depth_doubt(scene, 560e-6, found).unknown, "out of the rear"));
+  EXPECT_TRUE(says(volume_doubt(scene, 300e-6, found).unknown, "out of the rear"));
 }
 
 /// The measured jet itself is known; jets a fifth away, or with gaps ten times as long, are not.

@@ -25,8 +25,11 @@ KINDS = {  # what commands reckon with, where a summary has it: a number, an obj
     "penetration.depth_error.cells_per_radius": NUMBER,
     "penetration.depth_error.source": str, "penetration.depth_error.unknown": str, "penetration.depth_error.advice": str,
     "penetration.probed_depth_error": LIST,
-    **{f"penetration.probed_depth_error.{name}": NUMBER for name in ("value", "low", "high", "cells_per_radius")},
-    **dict.fromkeys((f"penetration.probed_depth_error.{name}" for name in ("source", "unknown", "advice")), str),
+    "penetration.channel_volume_error": LIST,
+    **{f"penetration.{of}_error.{name}": NUMBER for of in ("probed_depth", "channel_volume")
+       for name in ("value", "low", "high", "cells_per_radius")},
+    **dict.fromkeys((f"penetration.{of}_error.{name}" for of in ("probed_depth", "channel_volume")
+       for name in ("source", "unknown", "advice")), str),
     "balances": LIST, "balances.energy": LIST, "balances.energy.error": NUMBER,
 }  # fmt: skip
 WORDS = {NUMBER: "a number", LIST: "an object", str: "a text"}

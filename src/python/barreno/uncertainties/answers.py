@@ -19,7 +19,8 @@ KINDS = (  # what is looked at without being asked for: name in summary.json, wo
     (r"penetration\.channel_volume", "volume of the hole", "cm3", 1e6),
     (r"penetration\.zones_in_body\.(?P<body>.+)\.skin", "skin of {body}", "", 1.0),
 )
-ERRORS = {DEPTH: "penetration.depth_error", PROBED: "penetration.probed_depth_error"}
+VOLUME = "penetration.channel_volume"
+ERRORS = {DEPTH: "penetration.depth_error", PROBED: "penetration.probed_depth_error", VOLUME: "penetration.channel_volume_error"}
 THROUGH = "penetration.through"
 NOT_MEASURED = "it was measured for depths alone"
 ENDS = ("high", "value", "low")  # of an error, as they make the true answer larger
