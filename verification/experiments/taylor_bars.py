@@ -28,8 +28,8 @@ def run(barreno, full):
     experiment = Experiment(
         "Taylor bar",
         "A copper rod that hits a wall gets the shape that was measured.",
-        "OFHC copper, 25.4 x 7.62 mm, 190 m/s, rigid smooth wall, to 90 us. Cards `copper_ofhc`, which breaks, and `copper`, which does not: "
-        "both have the flow stress of 1983. Axisymmetric; cells",
+        "OFHC copper, 25.4 x 7.62 mm, 190 m/s, rigid smooth wall, to 90 us. Cards `copper_ofhc`, which breaks, and `copper`, which does "
+        "not: both have the flow stress of 1983. Axisymmetric; cells",
         cells=list(cells),
     )  # fmt: skip
     for card in CARDS:

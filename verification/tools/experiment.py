@@ -50,5 +50,5 @@ def judged(name, data, full):
 
 
 def spread(values):
-    """Half of the interval of the cells: what halving them changed, as much as all further halvings change at first order; nan: one size."""
+    """Half of the interval of the cells: what halving them changed, as much as all further halvings do at first order; nan: one size."""
     return abs(values[-1] - values[-2]) if len(values) > 1 else math.nan

@@ -45,7 +45,8 @@ def overview():
             rows.append([link, row["what"], row["measured"], row["mark"], ours(row["ours"]), verdict.partition(":")[0]])
             link = ""
     data, found = laboratory()
-    rows.append([f"[{data['title']}](verification/{LABORATORY}.md)", f"{len(data['rows'])} quantities, below", "", "", "", verdict_of(found)])
+    link = f"[{data['title']}](verification/{LABORATORY}.md)"
+    rows.append([link, f"{len(data['rows'])} quantities, below", "", "", "", verdict_of(found)])
     return table(["experiment", "quantity", "measured", "mark", "ours", "verdict"], rows)
 
 
