@@ -51,8 +51,10 @@ def run(barreno, full):
     experiment = Experiment(
         "Bar test of sandstone",
         "Sandstone is stronger when it is loaded fast.",
-        "cylinder of 41 mm diameter and length (the specimens were about 40 mm long), no confinement, smooth ends, shortened by 200 /s; the "
-        f"same at 20 /s, which stands for the static test. Card `{CARD}`, whose static strength is Berea's, not Seeberger's. Axisymmetric; cells",
+        "cylinder of 41 mm diameter and length (the specimens were about 40 mm long), no confinement, smooth ends, shortened by 200 /s; "
+        "the "
+        f"same at 20 /s, which stands for the static test. Card `{CARD}`, whose static strength is Berea's, not Seeberger's. "
+        "Axisymmetric; cells",
         cells=list(cells),
     )  # fmt: skip
     fast, slow = ([strength(barreno, h, rate) for h in cells] for rate in (RATE, SLOW))
@@ -64,9 +66,11 @@ def run(barreno, full):
     experiment.compare("strength at 20 /s [MPa]", "52.0 +- 2.0, static", SEEN, "the same, 2.7e-5 /s", [1e-6 * value for value in slow])
     small = 1e-6 * strength(barreno, cells[0], RATE, SMALL)
     experiment.notes = (
-        f"The law has no rate dependence: a cylinder of a tenth of the size has {small:.3g} MPa at 200 /s. What rises with the rate in the "
+        f"The law has no rate dependence: a cylinder of a tenth of the size has {small:.3g} MPa at 200 /s. What rises with the rate in "
+        "the "
         "large one is inertia: when the rock breaks, it swells at once, and its own mass confines it. The authors of the experiment put "
-        "inertia at 0.5 MPa at most and the rise down to the rock. So the strength at 200 /s agrees for another reason: the card starts from "
+        "inertia at 0.5 MPa at most and the rise down to the rock. So the strength at 200 /s agrees for another reason: the card starts "
+        "from "
         "Berea's static strength, which is half as large again as Seeberger's."
     )
     return experiment

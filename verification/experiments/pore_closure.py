@@ -38,7 +38,8 @@ def run(barreno, full):
     experiment = Experiment(
         "Closure of the pores",
         "A shock of a few GPa closes the pores of sandstone.",
-        "uniaxial strain of a material point with `barreno drive`, dry, to the axial stress of the shock. \"Closed\" is what was seen; that "
+        "uniaxial strain of a material point with `barreno drive`, dry, to the axial stress of the shock. \"Closed\" is what was seen; "
+        "that "
         "10 and 2 % of the pores may be left at 2.5 and 5 GPa is ours",
     )  # fmt: skip
     for card in CARDS if full else CARDS[:1]:

@@ -34,7 +34,8 @@ def run(barreno, full):
         "Tungsten rods into steel",
         "A long rod goes as deep into thick steel as the fit to experiments says.",
         "tungsten alloy of 17,600 kg/m3, 4 x 40 mm, into a block of steel of 40 x 90 mm (radius and depth), to 100 us. Cards "
-        "`tungsten_alloy`, `steel_4340_fracture` (Rockwell C 30, about 286 BHN; the fit is taken at 270). Axisymmetric; cells near the path",
+        "`tungsten_alloy`, `steel_4340_fracture` (Rockwell C 30, about 286 BHN; the fit is taken at 270). Axisymmetric; cells near the "
+        "path",
         cells=cells,
     )  # fmt: skip
     for speed in SPEEDS if full else SPEEDS[:1]:

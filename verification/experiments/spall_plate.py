@@ -36,7 +36,8 @@ def run(barreno, full):
     experiment = Experiment(
         "Spall of copper",
         "Copper is torn at its spall strength, and the free face shows it.",
-        "a plate of copper of 2 mm on one of 4 mm, 300 m/s; 0.5 rho c0 times the fall of the velocity of the free face. Card `copper_ofhc`, "
+        "a plate of copper of 2 mm on one of 4 mm, 300 m/s; 0.5 rho c0 times the fall of the velocity of the free face. Card "
+        "`copper_ofhc`, "
         "whose `Spall Stress` is the measured number: no independent test. Plane strain, one cell wide; cells",
         cells=list(cells),
     )  # fmt: skip

@@ -50,9 +50,10 @@ def run(barreno, full):
     experiment = Experiment(
         "A steel sphere into sandstone",
         "A hypervelocity impact makes a crater as deep as measured, and a shallower and larger one in wet rock.",
-        f"steel, 2.5 mm, 5 km/s, normal, a block of 60 x 60 mm (radius and depth) without confinement, to 40 us, before waves come back; card `{CARD}`, "
-        "`steel_4340_fracture`. The cube of the experiment was 200 mm wide; its abstract names neither rock (Seeberger sandstone is recalled) "
-        "nor saturation. Wet: pores full of water; 90 % in the experiments. Axisymmetric; cells near the crater",
+        "steel, 2.5 mm, 5 km/s, normal, a block of 60 x 60 mm (radius and depth) without confinement, to 40 us, before waves come "
+        f"back; card `{CARD}`, "
+        "`steel_4340_fracture`. The cube of the experiment was 200 mm wide; its abstract names neither rock (Seeberger sandstone is "
+        "recalled) nor saturation. Wet: pores full of water; 90 % in the experiments. Axisymmetric; cells near the crater",
         cells=cells,
     )  # fmt: skip
     dry, wet = ([shot(barreno, CARD, h, more) for h in cells] for more in (None, WATER))
@@ -65,9 +66,11 @@ def run(barreno, full):
         f"{name}, {h:g} mm": crater.profile for name, craters in (("dry", dry), ("wet", wet)) for h, (crater, _) in zip(cells, craters)}
     moved = [1e3 * max(moved for _, moved in craters) for craters in (dry, wet)]
     experiment.notes = (
-        f"In the last 10 us the floor of the dry crater moves by {moved[0]:.2g} mm, that of the wet one by {moved[1]:.2g} mm, at most. The "
+        f"In the last 10 us the floor of the dry crater moves by {moved[0]:.2g} mm, that of the wet one by {moved[1]:.2g} mm, at most. "
+        "The "
         "crater is where less than half of the rock's mass is left, down to the first rock that is whole. "
-        "What the width of the experiment has and ours lacks is the spall around the central pit: plates that come off where the wave meets "
+        "What the width of the experiment has and ours lacks is the spall around the central pit: plates that come off where the wave "
+        "meets "
         "the face. The measured damage is a fall of the wave speed, which a few cracks give; ours is rock that is more than half broken."
     )
     return experiment
