@@ -21,6 +21,7 @@ from tools import foreign_python  # noqa: F401
 from tools import case_pictures
 from tools import extremes_page
 from tools import page_parts
+from tools import validation_part
 from tools import verification_pages
 from tools.demands import FAILS, judge_all, open_demands, read_open
 from tools.extreme import RED
@@ -86,7 +87,8 @@ def failing():
         out += [f"results/{name}.json: {check['what']}: {words}" for check, verdict, words in judged if verdict == FAILS]
     known = {what for (case, form), demands in read_open().items() if case.startswith("extremes/") and form == "full" for what in demands}
     rows = extremes_page.stored_rows()
-    return out + [f"results/extremes.json: {row.name}" for row in rows if (row.verdict == RED) != (row.name in known)]
+    out += [f"results/extremes.json: {row.name}" for row in rows if (row.verdict == RED) != (row.name in known)]
+    return out + validation_part.failing()
 
 
 def left_over():

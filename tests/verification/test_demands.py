@@ -89,10 +89,8 @@ class Declaration(unittest.TestCase):
     def test_the_list_of_the_repository(self):
         for (case, form), known in read_open().items():
             self.assertEqual(open_demands(case, form == "full"), known)
-            file = (
-                VERIFICATION / "extreme_rows" / f"{case.split('/')[1]}.py" if case.startswith("extremes/")
-                else VERIFICATION / "cases" / f"{case}.py"
-            )
+            group, _, name = case.rpartition("/")
+            file = VERIFICATION / {"": "cases", "extremes": "extreme_rows", "validation": "experiments"}[group] / f"{name}.py"
             self.assertTrue(case == "trade" or file.exists(), case)
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of verification cases from their stored rows, as cases.toml says, and that of depth_cost.py.
+"""Pictures of verification cases from their stored rows, as cases.toml says, and those of depth_cost.py and validation_results.py.
 
     case_pictures.py        draw those in docs/pictures that are not of the stored figures
 
@@ -17,6 +17,7 @@ except ModuleNotFoundError:
     sys.exit(f"{sys.argv[0]}: it imports from folders beside its own; start it with ./barreno python {sys.argv[0]}.")
 
 from tools import depth_cost
+from tools import validation_results
 from tools.case_list import DOCS, cases, stored
 
 KEY = "Figures"  # of the digest in the PNG file
@@ -127,6 +128,8 @@ def drawn():
         if data and isinstance(entry.get("picture"), dict):
             yield DOCS / "pictures" / file_of(name, entry), data["title"], entry["picture"], curves_of(entry["picture"], data)
     yield DOCS / "pictures" / depth_cost.FILE, depth_cost.TITLE, depth_cost.PICTURE, depth_cost.curves()
+    craters = validation_results
+    yield DOCS / "pictures" / craters.PICTURE_FILE, craters.PICTURE_TITLE, craters.PICTURE, craters.curves()
 
 
 def outdated():

@@ -25,6 +25,7 @@ from fits import synthetic_results
 from tools import trade_page
 from tools import uncertainty_parts
 from performance import wet_time
+from tools import validation_part
 from tools.case_list import RESULTS
 from tools.verification_pages import table
 
@@ -73,6 +74,9 @@ PARTS = {
     "step_cost.py": step_cost.stored_part,
     "synthetic_fits.py": synthetic_results.stored_part,
     "uncertainty": uncertainty_parts.example,
+    "validation": validation_part.overview,
+    "validation_experiments": validation_part.sections,
+    "validation_fails": validation_part.fails,
     "wet_time.py": wet_time.stored_part,
     **paper_parts.PARTS,
 }

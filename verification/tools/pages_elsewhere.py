@@ -3,6 +3,7 @@
 import json
 
 from tools.demands import met
+from tools.experiment import checks_of
 
 
 def trade_row(data):
@@ -27,7 +28,16 @@ def extremes_row(rows):
             f"{count['holds']} hold, {count['stops']} stop, {count['RED']} open | |")  # fmt: skip
 
 
-ROWS = {"extremes": extremes_row, "trade": trade_row, "predictions": predictions_row}
+def validation_row(experiments):
+    checks = [check for data in experiments.values() for check in checks_of(data)]
+    held = sum(met(check["value"], check["limit"], check["at_least"]) for check in checks)
+    shown = sum(len(data["rows"]) for data in experiments.values()) - len(checks)
+    verdict = f"{held} of {len(checks)} hold, {len(checks) - held} fail, {shown} shown"
+    return ("| [Runs with the shipped cards agree with experiments](validation.md) | measurements | one per quantity | | | | "
+            f"{verdict} | [picture](pictures/validation_craters.png) |")  # fmt: skip
+
+
+ROWS = {"extremes": extremes_row, "trade": trade_row, "predictions": predictions_row, "validation": validation_row}
 
 
 def rows_elsewhere(results):
