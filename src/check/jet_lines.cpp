@@ -96,7 +96,8 @@ std::string depth_line(const Scene& scene) {
   if (!is_divided(scene)) return line;
   return line + "          of the hole as wide as the jet: " +
          depth_doubt_text(probed_depth_doubt(scene, end, Penetration{})) + "\n" +
-         "          of its volume: " + depth_doubt_text(volume_doubt(scene, end, Penetration{})) + "\n";
+         "          of its volume: " + depth_doubt_text(volume_doubt(scene, end, Penetration{})) +
+         "\n";
 }
 
 /// When the hole of a run to rest is expected to be at rest.

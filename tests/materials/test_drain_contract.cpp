@@ -150,6 +150,8 @@ template <>
 constexpr double round_trip<AngledWetArenisca> = 1e-5;
 template <>
 constexpr double round_trip<DamagedWetArenisca> = 1e-5;
+template <>
+constexpr double round_trip<HeatedWetArenisca> = 1e-5;
 template <class Model>
 constexpr double open_part = 1e-4;
 template <>
@@ -160,6 +162,8 @@ template <>
 constexpr double open_part<AngledWetArenisca> = 0.01;
 template <>
 constexpr double open_part<DamagedWetArenisca> = 0.01;
+template <>
+constexpr double open_part<HeatedWetArenisca> = 0.01;
 
 TYPED_TEST(Drain, ElasticPointsForgetWhatCameBack) {
   const auto model = sample_model<TypeParam>();
