@@ -14,9 +14,12 @@
 
 namespace barreno::arenisca {
 
-#define BARRENO_STEP_OF(KEYWORDS, ...)                             \
-  KEYWORDS void advance_step<Lanes, __VA_ARGS__>(                  \
-      const __VA_ARGS__&, StepOf<Lanes, __VA_ARGS__>&, OwnSubsteps \
+#define BARRENO_STEP_OF(KEYWORDS, ...)                                    \
+  KEYWORDS void advance_step<Lanes, __VA_ARGS__>(                         \
+      const __VA_ARGS__&, StepOf<Lanes, __VA_ARGS__>&, OwnSubsteps        \
+  );                                                                      \
+  KEYWORDS void advance_step<Lanes, __VA_ARGS__>(                         \
+      const __VA_ARGS__&, StepOf<Lanes, __VA_ARGS__>&, SubstepsOfTheFirst \
   );
 #define BARRENO_STEPS_OF_ALL_FORMS(KEYWORDS)      \
   BARRENO_STEP_OF(KEYWORDS, Rock)                 \
