@@ -3,7 +3,7 @@
 
 #include "barreno/models.hpp"
 
-#if BARRENO_HAS_LANES
+#if BARRENO_HAS_LANES && defined(BARRENO_COMPILED_ONCE)
 
 namespace barreno::arenisca {
 

@@ -97,7 +97,8 @@ def main():
             seconds += server.seconds
             server.end()
     print(f"{len(chosen)} combinations over {len(decks)} decks, {refused} refused, {findings} findings, {seconds:.0f} s of processor")
-    assert refused <= 0.1 * len(chosen), "most of what was to be run was refused"
+    # Small versions of a few decks have bodies thinner than a cell, or a combination that the program refuses.
+    assert refused <= -(-len(chosen) // 10), "more than a tenth of what was to be run was refused"
     return 1 if findings else 0
 
 

@@ -128,6 +128,29 @@ struct UpdateStress {
     return update;
   }
 
+  /// Of a group over its step [energy].
+  struct Works {
+    R elastic, plastic, viscous, stress;
+  };
+  /// Particles get what the grid took from them: what their update did not know of becomes heat.
+  KOKKOS_INLINE_FUNCTION void take_losses(
+      const Group& group,
+      const Begun& begun,
+      const Sym3Of<R>& stress,
+      Works& works,
+      typename Group::History& history
+  ) const {
+    works.stress = group.get(particles.heat);
+    const R elastic = works.stress - works.plastic - works.viscous;
+    if constexpr (is_heated_rock<Model>)
+      model.add_heat(R((elastic - works.elastic) / begun.mass), stress, history);
+    else
+      model.correct_energy(
+          group.get_history(particles.history), R(works.stress / begun.mass), history
+      );
+    works.elastic = elastic;
+  }
+
   /// What becomes of a group whose update is done.
   KOKKOS_INLINE_FUNCTION void end(
       const Group& group, const Update& update, const Begun& begun, Tally& tally, StressTally& sums
@@ -163,30 +186,11 @@ struct UpdateStress {
     if constexpr (opens_voids<Model>)
       stress_work = elastic_work + reference_volume * outcome.plastic_work + viscous;
     auto history = update.history;
-    if constexpr (keeps_heat<Model>) {
-      if (particles.heat.components > 0) {  // the particle gets what the grid took from it
-        stress_work = group.get(particles.heat);
-        elastic_work = stress_work - reference_volume * outcome.plastic_work - viscous;
-        const auto before = group.get_history(particles.history);
-        model.correct_energy(before, R(stress_work / begun.mass), history);
-      }
-    }
-    if constexpr (is_heated_rock<Model>) {
-      if (particles.heat.components > 0) {  // as above; the law's own works are known
-        stress_work = group.get(particles.heat);
-        const R known = elastic_work + reference_volume * outcome.plastic_work + viscous;
-        const R missed = stress_work - known;
-        elastic_work = elastic_work + missed;
-        model.add_heat(R(missed / begun.mass), update.stress, history);
-      }
-    }
+    Works works{elastic_work, reference_volume * outcome.plastic_work, viscous, stress_work};
+    if constexpr (keeps_heat<Model> || is_heated_rock<Model>)
+      if (particles.heat.components > 0) take_losses(group, begun, update.stress, works, history);
     group.put_history(good, history, particles.history);
-    tally_works(
-        good,
-        {elastic_work, reference_volume * outcome.plastic_work, viscous, stress_work},
-        tally,
-        sums
-    );
+    tally_works(good, works, tally, sums);
     R speed_squared{};
     for (int d = 0; d < particles.velocity.components; ++d) {
       const R v = group.get(particles.velocity, d);
@@ -198,10 +202,6 @@ struct UpdateStress {
     limit_step(good | (living & (!here)), step, tally);
   }
 
-  /// Of a group over its step [energy].
-  struct Works {
-    R elastic, plastic, viscous, stress;
-  };
   KOKKOS_INLINE_FUNCTION void tally_works(
       const Mask& good, const Works& works, Tally& tally, StressTally& sums
   ) const {

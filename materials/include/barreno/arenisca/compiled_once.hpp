@@ -7,10 +7,12 @@
 #include "barreno/arenisca/points_step.hpp"
 
 // The steps of the library's own forms, which are long, are compiled once (src/compiled_once.cpp)
-// and not in every file that asks a model for an update. Forms of parts from outside are compiled
-// where they are used.
+// and not in every file of this build that asks a model for an update. Forms of parts from outside
+// are compiled where they are used, and so are all of them in a program that includes the installed
+// headers: its compiler's flags, and with them its vectors, may be others than those of the
+// library.
 
-#if BARRENO_HAS_LANES
+#if BARRENO_HAS_LANES && defined(BARRENO_COMPILED_ONCE)
 
 namespace barreno::arenisca {
 
