@@ -89,7 +89,7 @@ def doubt(runs, what):
 def errors():
     """{cells per radius: {what: (value, low, high)}}: the last error of the deck; and the range of those of MADE_FROM at every time that
     counts, widened by what the smallest cells of the deck lack and by the scatter of runs. The smallest cells of another shot have the
-    error that they have in the deck."""
+    error that they have in the deck; of its volume they may be as far from the truth as the next larger ones are from them."""
     found, all_shots = {}, shots()
     runs = all_shots[DECK]
     finest = max(runs)
@@ -102,6 +102,10 @@ def errors():
                 if cells in others and cells < own:
                     ranges.append([at(others[cells], what, time) / at(others[own], what, time) * (1.0 + deck) - 1.0
                         for time, deck in zip(times_of(what), changes(runs, own, finest, what))])  # fmt: skip
+                elif what == "volume":  # without confinement it falls with smaller cells, and in the deck it grows
+                    before = sorted(others)[-2]
+                    reach = abs(at(others[before], what, REST) / at(others[own], what, REST) - 1.0)
+                    ranges.append([-reach, reach])
             more = doubt(runs, what) + scatter(what)
             found.setdefault(cells, {})[what] = (ranges[0][-1], min(map(min, ranges)) - more, max(map(max, ranges)) + more)
     return found
