@@ -58,6 +58,8 @@ def try_combination(servers, folder, combination, seed):
     # What belongs to the transfer that the deck has itself.
     for path in ("Step/PIC Fraction", "Step/XPIC Order"):
         deck.remove(path)
+    if (order, transfer) != ("stress last", "FLIP"):  # only these know what each particle lost
+        deck.remove("Step/Return Losses")
     # Cells of several sizes are refused with these, by sentences that tests/decks holds.
     if transfer in ("XPIC", "APIC") or shape == "linear":
         for path in ("Refinement", "Jet/Cells Per Radius"):
@@ -97,8 +99,7 @@ def main():
             seconds += server.seconds
             server.end()
     print(f"{len(chosen)} combinations over {len(decks)} decks, {refused} refused, {findings} findings, {seconds:.0f} s of processor")
-    # Small versions of a few decks have bodies thinner than a cell, or a combination that the program refuses.
-    assert refused <= -(-len(chosen) // 10), "more than a tenth of what was to be run was refused"
+    assert refused <= 0.1 * len(chosen), "most of what was to be run was refused"
     return 1 if findings else 0
 
 

@@ -71,7 +71,6 @@ struct Heat {
         {}};
   }
   static std::string check(const Parameters& p) {
-    const std::string heat = named("Specific heat", p.specific_heat);
     if (p.specific_heat == 0.0) {
       if (p.grueneisen > 0.0 || p.melting_temperature > 0.0 || p.grain_density > 0.0) {
         const std::string name = p.grueneisen > 0.0 ? named("Grueneisen parameter", p.grueneisen)
