@@ -91,7 +91,7 @@ def draw(file, title, picture, curves):
     matplotlib.rcParams["text.parse_math"] = True  # the commands, whose pictures have no formulas, may be loaded too
     import matplotlib.pyplot as plt
 
-    from barreno.report.legends import place_legend
+    from barreno.report.legends import place_legends
 
     figure, axes = plt.subplots(figsize=(5.6, 4.2), layout="constrained")
     for i, (label, points) in enumerate(curves.items()):
@@ -114,7 +114,7 @@ def draw(file, title, picture, curves):
     axes.grid(alpha=0.3)
     if len(curves) > 1 or "slope" in picture:
         if len(axes.get_legend_handles_labels()[1]) <= 3:
-            place_legend(axes, fontsize=8)
+            place_legends(axes, fontsize=8)
         else:
             axes.legend(fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=3, frameon=False)
     figure.savefig(file, dpi=110, metadata={"Software": None, KEY: digest(picture, curves)})

@@ -24,23 +24,27 @@ def meets(axes, box):
 
 
 def covers(axes):
-    """Whether the legend of the axes lies on something that is drawn in them; after the figure has been drawn."""
+    """Whether the legend of the axes lies on something that is drawn in them; after the figure has been laid out."""
     return axes.get_legend() is not None and meets(axes, axes.get_legend().get_window_extent())
 
 
-def place_legend(axes, **style):
-    """In the first free corner as the figure is laid out now, else below the axes, where a layout makes room for it."""
-    figure = axes.figure
+def is_placed_inside(axes, **style):
+    """In the first free corner as the figure is laid out now. @return whether there is one"""
     for corner in CORNERS:
         axes.legend(loc=corner, **style)
-        figure.draw_without_rendering()
         if not covers(axes):
-            return
-    axes.legend(**BELOW, **style)
+            return True
+    return False
 
 
 def place_legends(*panels, **style):
-    """Of axes in one figure that have anything with a label."""
+    """Of axes in one figure that have anything with a label: in a corner, else below the axes, where the layout makes room for it."""
+    laid_out = False
     for axes in panels:
-        if axes.get_legend_handles_labels()[0]:
-            place_legend(axes, **style)
+        if not axes.get_legend_handles_labels()[0]:
+            continue
+        if not laid_out:
+            axes.figure.draw_without_rendering()
+        laid_out = is_placed_inside(axes, **style)  # which takes no room
+        if not laid_out:
+            axes.legend(**BELOW, **style)
