@@ -139,9 +139,10 @@ std::string failure_sentence(const Scene& scene, const State& state, const StepR
 
 RunVerdict run(const Scene& scene, State& state, Output& output, Checkpoints& checkpoints) {
   if (state.clock.step == 0)
-    for (const Particles& particles : state.particles)
-      state.stable_step =
-          std::min(state.stable_step, stable_step_of_rows(scene.step, state.grid, particles, 0));
+    for (Particles& particles : state.particles) {
+      particles.stable_step = stable_step_of_rows(scene.step, state.grid, particles, 0);
+      state.stable_step = std::min(state.stable_step, particles.stable_step);
+    }
   int interrupt = 0;
   RunWatch watch;
   // A step whose rows a checkpoint would not keep is no end.

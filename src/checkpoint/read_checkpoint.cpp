@@ -123,7 +123,10 @@ void read_sums(const SharedFile& file, State& state) {
   state.skipped_steps = is_root(comm) ? steps[1] : 0.0;
   const auto shares = shares_of(file.read<double>("ledger/step_shares"));
   if (is_root(comm)) state.step_shares = shares;
+  state.step_limits = step_limits_of(file.read<double>("ledger/step_limits"));
   state.stable_step = file.read<double>("run/stable_step").at(0);
+  const auto of_sets = file.read<double>("ledger/stable_steps");
+  for (std::size_t s = 0; s < of_sets.size(); ++s) state.particles[s].stable_step = of_sets[s];
 }
 
 }  // namespace

@@ -139,14 +139,18 @@ void write_sums(
   sum_over_ranks(comm, steps);
   std::vector<double> shares = values_of(state.step_shares);
   sum_over_ranks(comm, shares);
-  std::array<double, 1> stable{state.stable_step};
+  std::vector<double> stable{state.stable_step};
+  for (const Particles& particles : state.particles) stable.push_back(particles.stable_step);
   min_over_ranks(comm, stable);
   work.run([&] {
     file->write("ledger/terms", terms);
     file->write("ledger/reactions", impulses);
     file->write("ledger/particle_steps", one_column(steps), "");
     file->write("ledger/step_shares", one_column(shares), "");
+    file->write("ledger/step_limits", one_column(values_of(state.step_limits)), "");
     file->write("run/stable_step", one_column(std::vector<double>{stable[0]}), "s");
+    stable.erase(stable.begin());
+    file->write("ledger/stable_steps", one_column(stable), "s");
   });
 }
 

@@ -22,6 +22,7 @@ RunTotals sum_totals(const State& state) {
   std::vector<double> shares = values_of(state.step_shares);
   sum_over_ranks(comm, shares);
   totals.step_shares = shares_of(shares);
+  totals.step_limits = state.step_limits;
   totals.time = state.clock.time;
   totals.reactions = reaction_impulses(state);
   totals.pore_flow = pore_flow_values(state, totals.ledger);

@@ -17,6 +17,7 @@ struct RunTotals {
   double particle_steps = 0.0;    ///< advanced
   double skipped_steps = 0.0;     ///< left as they were
   StepShares step_shares;         ///< of particle_steps
+  StepLimits step_limits;
   double time = 0.0;              ///< [time]
   std::vector<double> pore_flow;  ///< see pore_flow_values
   std::vector<double> reactions;  ///< impulses on rigid bodies, see reaction_impulses

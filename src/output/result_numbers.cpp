@@ -25,6 +25,8 @@ void add_work_lines(const Scene& scene, const RunTotals& totals, std::vector<std
   if (!cells.empty()) lines.push_back("particle-steps by cell size: " + share_text(cells));
   const auto lengths = shares_by_step_length(totals.step_shares);
   if (!lengths.empty()) lines.push_back("particle-steps by length of step: " + share_text(lengths));
+  const auto limits = shares_of_limits(scene, totals.step_limits);
+  if (!limits.empty()) lines.push_back("length of the steps set by: " + share_text(limits));
 }
 
 /// Depth from the outer face, and in the last body that the jet has reached.

@@ -33,6 +33,13 @@ std::vector<NamedShare> shares_by_step_length(const StepShares& shares) {
   return all.size() > 1 || shares.of_length[0] == 0.0 ? all : std::vector<NamedShare>{};
 }
 
+std::vector<NamedShare> shares_of_limits(const Scene& scene, const StepLimits& limits) {
+  const std::vector<std::string> names = step_limit_names(scene);
+  return named(limits.time.data(), static_cast<int>(limits.time.size()), [&](int row) {
+    return names[static_cast<std::size_t>(row)];
+  });
+}
+
 std::string share_text(const std::vector<NamedShare>& shares) {
   std::string text;
   for (const auto& [name, share] : shares)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "state/step_limits.hpp"
 #include "state/step_shares.hpp"
 
 #include <string>
@@ -18,6 +19,9 @@ std::vector<NamedShare> shares_by_cell_size(double cell_size, const StepShares& 
 
 /// By length of step, "2 parts" of a step that was taken in parts (Step/Subcycles); none without.
 std::vector<NamedShare> shares_by_step_length(const StepShares& shares);
+
+/// By what set the length of the steps, of the time that they took.
+std::vector<NamedShare> shares_of_limits(const Scene& scene, const StepLimits& limits);
 
 /// "0.5 mm 83 %, 1 mm 17 %"
 std::string share_text(const std::vector<NamedShare>& shares);

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 
 namespace barreno {
@@ -104,6 +105,19 @@ void put_step_shares(Json& json, double cell_size, const StepShares& shares) {
     json["particle_steps_by_cell_size"][name] = number(share);
   for (const auto& [name, share] : shares_by_step_length(shares))
     json["particle_steps_by_step_length"][name] = number(share);
+}
+
+/// What set the length of the steps.
+void put_step_limits(Json& json, const Scene& scene, const StepLimits& limits) {
+  const std::vector<std::string> names = step_limit_names(scene);
+  const double time = std::accumulate(limits.time.begin(), limits.time.end(), 0.0);
+  for (std::size_t row = 0; row < limits.steps.size(); ++row) {
+    if (limits.steps[row] == 0.0) continue;
+    Json& one = json["step_set_by"][names[row]];
+    one["share"] = number(time > 0.0 ? limits.time[row] / time : 0.0);
+    one["steps"] = number(limits.steps[row]);
+    one["shortest"] = number(limits.shortest[row]);
+  }
 }
 
 /// What was expected before the run, beside what came.
@@ -364,6 +378,7 @@ std::string summary_text(
   json["steps"] = state.clock.step;
   put_cost(json, summary, totals);
   put_step_shares(json, scene.grid.cell_size, totals.step_shares);
+  put_step_limits(json, scene, totals.step_limits);
   put_prediction(json, run, summary);
   if (const auto path = recorded_path(scene, run.monitor))
     put_penetration(json, scene, *path, state.clock.time, penetration);

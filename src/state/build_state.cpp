@@ -311,6 +311,8 @@ namespace {
 void add_sets(const Scene& scene, State& state) {
   state.fields = velocity_fields(scene);
   state.nodes.resize(static_cast<std::size_t>(state.fields.count));
+  state.step_limits = make_step_limits(scene);
+  state.agreed.reserve(scene.materials.size() + 8);
   for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m) {
     Particles particles = make_particles(scene, m);
     particles.critical_courant = visit_shape(scene.step.shape, [&](auto shape) {

@@ -17,6 +17,7 @@
 #include "state/pore_flow_state.hpp"
 #include "state/reaction.hpp"
 #include "state/rigid_motions.hpp"
+#include "state/step_limits.hpp"
 #include "state/step_shares.hpp"
 #include "state/subcycling.hpp"
 
@@ -48,6 +49,8 @@ struct State {
   double particle_steps = 0.0;  ///< sum over steps of the particles advanced on this rank
   double skipped_steps = 0.0;   ///< of those that were left as they were
   StepShares step_shares;       ///< of particle_steps
+  StepLimits step_limits;
+  std::vector<double> agreed;  ///< room for agree_on_stable_step, a value more for every set
   std::vector<double> resumed_tile_steps;  ///< last_tile_steps() of a checkpoint, until a step
   Effort effort;
   LoadBalance sharing;

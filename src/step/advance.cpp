@@ -163,6 +163,14 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
     take_part(scene, next_time, dt, state, result);
   }
   ++state.clock.step;
+  const bool repeated = dt < start.dt;
+  count_step(
+      repeated ? row_of(OtherLimit::strain, static_cast<int>(scene.materials.size()))
+               : start.set_by,
+      state.clock.time - state.clock.begin,
+      dt,
+      state.step_limits
+  );
   result.not_drained =
       drain_pore_fluid(porous_medium(scene, state), dt, state.pore_flow, state.ledger);  // (7)
   return result;

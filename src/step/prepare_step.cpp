@@ -31,9 +31,10 @@ void launch_slugs(const Scene& scene, State& state) {
       particles,
       state.ledger
   );
-  state.stable_step = std::min(
-      state.stable_step, stable_step_of_rows(scene.step, state.grid, particles, first_row)
+  particles.stable_step = std::min(
+      particles.stable_step, stable_step_of_rows(scene.step, state.grid, particles, first_row)
   );
+  state.stable_step = std::min(state.stable_step, particles.stable_step);
 }
 
 /// Where a step ends at the latest: where no particle bounds it, as before the first slug of a jet
@@ -43,6 +44,16 @@ double end_of_step(const JetSpec& jet, const State& state, double stable, double
   const std::size_t slug = state.jet.next_slug;
   if (std::isfinite(stable) || !jet.present || slug >= jet.slugs.size()) return next_time;
   return std::min(next_time, jet.slugs[slug].time * (1.0 + 1e-15));
+}
+
+/// What set the step, as a row of StepLimits.
+int row_of_rule(StepRule rule, int set, bool by_fluids, std::size_t sets) {
+  const auto materials = static_cast<int>(sets);
+  if (rule == StepRule::growth) return row_of(OtherLimit::growth, materials);
+  if (rule == StepRule::largest) return row_of(OtherLimit::largest, materials);
+  if (rule == StepRule::event) return row_of(OtherLimit::output, materials);
+  if (by_fluids) return row_of(OtherLimit::cavity, materials);
+  return set >= 0 ? set : row_of(OtherLimit::tiles_at_rest, materials);
 }
 
 /// How the step is divided, with all tiles active that particles may enter before it is over.
@@ -70,15 +81,18 @@ StepStart prepare_step(const Scene& scene, double next_time, State& state) {
   for (Particles& set : sets) split_particles(grid, set);  // where they are wide
   if (state.subcycling.on()) forget_keys(sets);            // parts of the last step kept some
   Placement placement = locate_particles(continuum);       // cells; lost are tallied
-  const double stable = agree_on_stable_step(*grid.comm, state.stable_step, placement);
+  int set = -1;                                            // whose particles allow no more
+  const double stable =
+      agree_on_stable_step(*grid.comm, sets, state.stable_step, state.agreed, placement, set);
   const double with_fluids = stable_step_with_fluids(state.cavities, grid.smallest_cell(), stable);
   const double end = end_of_step(scene.jet, state, stable, next_time);
-  const double dt = next_step(scene.step, clock, end, with_fluids);
+  const NextStep next = next_step(scene.step, clock, end, with_fluids);
   place_particles(placement, clock.step, continuum);  // ranks, tiles, order
   if (clock.step == 0) start_affine(grid, sets);      // APIC
   // The first step settles what materials make of their initial states: together.
-  plan_parts(scene.step, dt, clock.step == 0 ? 0.0 : next_time - clock.time, state);
-  return {dt, placement.interrupt};
+  plan_parts(scene.step, next.dt, clock.step == 0 ? 0.0 : next_time - clock.time, state);
+  const bool by_fluids = with_fluids < stable;
+  return {next.dt, placement.interrupt, row_of_rule(next.set_by, set, by_fluids, sets.size())};
 }
 
 }  // namespace barreno

@@ -9,6 +9,7 @@ namespace barreno {
 struct StepStart {
   double dt = 0.0;    ///< its size, before solve_motion retries with a smaller one [time]
   int interrupt = 0;  ///< signal that some rank received
+  int set_by = 0;     ///< row of StepLimits
 };
 
 /// Before the forces of a step: tiles go to ranks by cost, the jet's slugs whose time has come are

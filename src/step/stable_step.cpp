@@ -14,6 +14,22 @@
 #include <vector>
 
 namespace barreno {
+namespace {
+
+/// What the ranks agree on: of each the largest.
+std::array<double, 4> sent_of(double stable_step, const Placement& placement) {
+  return {
+      -stable_step,
+      placement.someone_left ? 1.0 : 0.0,
+      placement.new_tile ? 1.0 : 0.0,
+      static_cast<double>(received_signal())};
+}
+template <class Values>
+Placement placement_of(const Values& agreed) {
+  return {agreed[1] > 0.0, agreed[2] > 0.0, static_cast<int>(agreed[3])};
+}
+
+}  // namespace
 
 double stable_step_of_rows(
     const StepSpec& spec, const Grid& grid, const Particles& particles, int first_row
@@ -52,25 +68,45 @@ double agree_on_stable_step(
     const Teuchos::Comm<int>& comm, double stable_step, Placement& placement
 ) {
   const Region region("agree_on_stable_step");
-  std::array<double, 4> flags{
-      -stable_step,
-      placement.someone_left ? 1.0 : 0.0,
-      placement.new_tile ? 1.0 : 0.0,
-      static_cast<double>(received_signal())};
-  max_over_ranks(comm, flags);
-  placement = {flags[1] > 0.0, flags[2] > 0.0, static_cast<int>(flags[3])};
-  return -flags[0];
+  std::array<double, 4> agreed = sent_of(stable_step, placement);
+  max_over_ranks(comm, agreed);
+  placement = placement_of(agreed);
+  return -agreed[0];
 }
 
-double next_step(const StepSpec& spec, const Clock& clock, double next_time, double stable_step) {
-  double dt = damped_step(stable_step, spec.damping, spec.courant_fraction);
-  if (clock.step == 0 && spec.initial_step > 0.0) dt = std::min(dt, spec.initial_step);
-  if (clock.dt > 0.0) dt = std::min(dt, spec.growth_limit * clock.dt);
-  if (spec.largest_step > 0.0) dt = std::min(dt, spec.largest_step);
+double agree_on_stable_step(
+    const Teuchos::Comm<int>& comm,
+    const std::vector<Particles>& sets,
+    double stable_step,
+    std::vector<double>& agreed,
+    Placement& placement,
+    int& set
+) {
+  const Region region("agree_on_stable_step");
+  const std::array<double, 4> of_all = sent_of(stable_step, placement);
+  agreed.assign(of_all.begin(), of_all.end());
+  const std::size_t first = agreed.size();
+  for (const Particles& particles : sets) agreed.push_back(-particles.stable_step);
+  max_over_ranks(comm, agreed);
+  placement = placement_of(agreed);
+  set = -1;
+  for (std::size_t s = 0; s < sets.size() && set < 0; ++s)
+    if (agreed[first + s] == agreed[0]) set = static_cast<int>(s);
+  return -agreed[0];
+}
+
+NextStep next_step(const StepSpec& spec, const Clock& clock, double next_time, double stable_step) {
+  NextStep next{damped_step(stable_step, spec.damping, spec.courant_fraction), StepRule::stable};
+  const auto limit = [&](double dt, StepRule rule) {
+    if (dt < next.dt) next = {dt, rule};
+  };
+  if (clock.step == 0 && spec.initial_step > 0.0) limit(spec.initial_step, StepRule::largest);
+  if (clock.dt > 0.0) limit(spec.growth_limit * clock.dt, StepRule::growth);
+  if (spec.largest_step > 0.0) limit(spec.largest_step, StepRule::largest);
   const double left = next_time - clock.time;
-  if (dt >= left) return left;
+  if (next.dt >= left) return {left, StepRule::event};
   // Two even steps rather than a whole one and a sliver.
-  return 2.0 * dt > left ? 0.5 * left : dt;
+  return 2.0 * next.dt > left ? NextStep{0.5 * left, StepRule::event} : next;
 }
 
 }  // namespace barreno

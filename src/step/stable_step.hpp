@@ -31,13 +31,32 @@ double damped_step(double dt, double damping, double fraction);
 double agree_on_stable_step(
     const Teuchos::Comm<int>& comm, double stable_step, Placement& placement
 );
+/// The same, and the set that has it.
+///
+/// @param agreed    room for what is sent
+/// @param[out] set  -1: none, but tiles at rest
+double agree_on_stable_step(
+    const Teuchos::Comm<int>& comm,
+    const std::vector<Particles>& sets,
+    double stable_step,
+    std::vector<double>& agreed,
+    Placement& placement,
+    int& set
+);
 
-/// The size of the next step [time].
+/// What of next_step's rule sets the step.
+enum class StepRule { stable, growth, largest, event };
+struct NextStep {
+  double dt;  ///< [time]
+  StepRule set_by;
+};
+
+/// The size of the next step.
 ///
 ///   dt = min(stable step, growth limit * last dt, largest step, time to the next event)
 ///
 /// @param next_time    the step ends there at the latest, exactly [time]
 /// @param stable_step  of all ranks, without damping
-double next_step(const StepSpec& spec, const Clock& clock, double next_time, double stable_step);
+NextStep next_step(const StepSpec& spec, const Clock& clock, double next_time, double stable_step);
 
 }  // namespace barreno

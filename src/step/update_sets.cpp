@@ -79,6 +79,7 @@ void strain_after(
       add(update_stress(material, update.step, update.grid, update.end, rows, particles), set);
     });
     add(tally_domains(step, material.bad_particles, own_fields, grid, sets[s]), set, clipped);
+    sets[s].stable_step = set.stable_step;
     apply_policy(material.bad_particles, sets[s].material, set, ledger, result);
     add(set, tally.stress);
   }
@@ -148,6 +149,7 @@ void move_rigid_sets(
     if (!particles.rigid) continue;
     StressTally set;
     set.stable_step = move_rigid_particles(motions, time, grid, particles);
+    particles.stable_step = set.stable_step;
     add(set, tally.stress);
   }
 }

@@ -383,14 +383,14 @@ arenisca::YieldSurface surface_of(const arenisca::ShearLimit::Parameters& p) {
 }
 
 TEST(AreniscaSurface, special_cases_have_their_vertex_and_slope) {
-  const auto nonlinear = surface_of({21e6, 0.435, 4e8, 0.02});
+  const auto nonlinear = surface_of({21e6, 0.435, 4e8, 0.02, 0.0});
   EXPECT_NEAR(nonlinear.limit(21e6), 0.0, 1.0);
   EXPECT_NEAR((nonlinear.limit(20.999e6) - nonlinear.limit(21e6)) / 1e3, 0.435, 1e-4);
   EXPECT_NEAR((nonlinear.limit(-2e10) - nonlinear.limit(-1e10)) / 1e10, 0.02, 1e-5);
-  const auto zero_vertex = surface_of({0.0, 0.5, 1e8, 0.0});
+  const auto zero_vertex = surface_of({0.0, 0.5, 1e8, 0.0, 0.0});
   EXPECT_NEAR(zero_vertex.limit(0.0), 0.0, 1e-6);
   EXPECT_NEAR(zero_vertex.limit(-1e10), 1e8, 1e-6);
-  EXPECT_TRUE(std::isinf(surface_of({0.0, 0.0, 1e8, 0.0}).vertex));
+  EXPECT_TRUE(std::isinf(surface_of({0.0, 0.0, 1e8, 0.0, 0.0}).vertex));
 }
 
 /// Random states on, inside and at the special places of the surface, and increments of random

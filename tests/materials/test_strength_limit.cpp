@@ -70,7 +70,9 @@ TEST(StrengthLimit, IsSmoothAndConcave) {
       const double by_slopes =
           (surface.limit_at(x + h).slope - surface.limit_at(x - h).slope) / (2.0 * h);
       EXPECT_NEAR(by_slopes / curvature, 1.0, 1e-5) << "at " << x;
-      if (x <= 0.0) EXPECT_LE(surface.lower_bound(x), at.value * (1.0 + 1e-14));
+      if (x <= 0.0) {
+        EXPECT_LE(surface.lower_bound(x), at.value * (1.0 + 1e-14));
+      }
     }
   }
 }

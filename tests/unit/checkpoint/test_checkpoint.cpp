@@ -47,6 +47,8 @@ std::vector<double> sums_of(const State& state) {
   std::array<double, 1> stable{state.stable_step};
   min_over_ranks(comm, stable);
   std::vector<double> numbers{steps[0], steps[1], stable[0]};
+  const std::vector<double> limits = values_of(state.step_limits);
+  numbers.insert(numbers.end(), limits.begin(), limits.end());
   for (ReproducibleSum& term : terms) {
     term.carry();
     for (const long long part : term.part) numbers.push_back(static_cast<double>(part));

@@ -152,6 +152,29 @@ TEST(Summary, SaysWhichCellsAndStepsTheWorkWentTo) {
   EXPECT_NE(text.find("\"8 parts\": 0.75"), std::string::npos) << text;
 }
 
+TEST(Summary, SaysWhatSetTheSteps) {
+  const Scene scene = synthetic::make_scene();
+  StepLimits limits = make_step_limits(scene);
+  EXPECT_TRUE(shares_of_limits(scene, limits).empty());
+  const auto materials = static_cast<int>(scene.materials.size());
+  count_step(1, 3e-6, 4e-8, limits);
+  count_step(1, 3e-6, 2e-8, limits);
+  count_step(row_of(OtherLimit::growth, materials), 2e-6, 1e-8, limits);
+  limits = step_limits_of(values_of(limits));
+  EXPECT_EQ(
+      share_text(shares_of_limits(scene, limits)),
+      scene.materials[1].name() + " 75 %, growth limit 25 %"
+  );
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  const State state = synthetic::make_state(scene, comm);
+  RunTotals totals = sum_totals(state);
+  totals.step_limits = limits;
+  const std::string text =
+      summary_text(scene, state, {"out", "deck.xml", "", "1.0", {}}, totals, {}, {}, {});
+  EXPECT_NE(text.find("\"growth limit\": {\n      \"share\": 0.25"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"shortest\": 2e-08"), std::string::npos) << text;
+}
+
 TEST(Summary, CountsAreWholeAndWhatIsNoNumberIsNull) {
   Scene scene = synthetic::make_scene();
   scene.title = "caf\xE9 \x01";  // Latin-1, and a character that JSON escapes

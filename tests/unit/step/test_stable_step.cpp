@@ -47,15 +47,20 @@ TEST(StableStepOfRows, IsThatOfTheFastestWaveOverACell) {
 TEST(NextStep, GrowsSlowlyAndEndsAtTheNextEvent) {
   StepSpec spec;
   spec.growth_limit = 1.5;
-  EXPECT_EQ(next_step(spec, {0.0, 0.0, 0}, 100.0, 2.0), 2.0);
-  EXPECT_EQ(next_step(spec, {4.0, 1.0, 3}, 100.0, 2.0), 1.5);   // 1.5 times the last
-  EXPECT_EQ(next_step(spec, {97.0, 2.0, 9}, 100.0, 2.0), 1.5);  // two even ones to the event
-  EXPECT_EQ(next_step(spec, {99.0, 2.0, 9}, 100.0, 2.0), 1.0);  // the event
+  const auto expect = [&](const Clock& clock, double dt, StepRule set_by) {
+    const NextStep next = next_step(spec, clock, 100.0, 2.0);
+    EXPECT_EQ(next.dt, dt);
+    EXPECT_EQ(next.set_by, set_by);
+  };
+  expect({0.0, 0.0, 0}, 2.0, StepRule::stable);
+  expect({4.0, 1.0, 3}, 1.5, StepRule::growth);  // 1.5 times the last
+  expect({97.0, 2.0, 9}, 1.5, StepRule::event);  // two even ones to the event
+  expect({99.0, 2.0, 9}, 1.0, StepRule::event);  // the event
   spec.largest_step = 0.25;
-  EXPECT_EQ(next_step(spec, {4.0, 1.0, 3}, 100.0, 2.0), 0.25);
+  expect({4.0, 1.0, 3}, 0.25, StepRule::largest);
   spec.initial_step = 0.125;
-  EXPECT_EQ(next_step(spec, {0.0, 0.0, 0}, 100.0, 2.0), 0.125);
-  EXPECT_EQ(next_step(spec, {4.0, 1.0, 3}, 100.0, 2.0), 0.25);  // of the first step only
+  expect({0.0, 0.0, 0}, 0.125, StepRule::largest);
+  expect({4.0, 1.0, 3}, 0.25, StepRule::largest);  // of the first step only
 }
 
 TEST(StableStep, OfADampedOscillatorIsWhereItsEigenvalueReachesMinusOne) {

@@ -127,9 +127,9 @@ struct Metal {
   static std::vector<PlausibleRange> plausible_ranges() {
     std::vector<PlausibleRange> all;
     for_each_part(Parts{}, [&](const auto* part) {
-      using Part = std::decay_t<decltype(*part)>;
-      if constexpr (says_plausible_ranges<Part>)
-        for (const PlausibleRange& range : Part::plausible_ranges()) all.push_back(range);
+      using Of = std::decay_t<decltype(*part)>;
+      if constexpr (says_plausible_ranges<Of>)
+        for (const PlausibleRange& range : Of::plausible_ranges()) all.push_back(range);
     });
     return all;
   }
