@@ -192,6 +192,10 @@ template <>
 constexpr double given_back<RatedArenisca> = 0.05;
 template <>
 constexpr double given_back<RatedWetArenisca> = 0.1;
+template <>
+constexpr double given_back<RatedHeatedArenisca> = 0.05;
+template <>
+constexpr double given_back<RatedHeatedWetArenisca> = 0.1;
 
 TYPED_TEST(Contract, PlasticWorkIsNotNegative) {
   const auto model = sample_model<TypeParam>();
