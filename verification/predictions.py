@@ -36,6 +36,8 @@ DAMAGE = {"Materials/Sandstone/Card": "berea_sandstone_damage.xml"}
 HEAT = {"Materials/Sandstone/Card": "berea_sandstone_heat.xml"}
 WET_HEAT = {**HEAT, **WATER, "Materials/Sandstone/Grain stiffening": "0",
     **{f"Materials/Sandstone/Transition {part}": "0" for part in ("strain", "start", "end")}}  # fmt: skip
+RATE_HEAT = {"Materials/Sandstone/Card": "seeberger_sandstone_heat.xml"}
+WET_RATE_HEAT = {**WET_HEAT, **RATE_HEAT}
 BISECTION = {"Materials/Sandstone/Return solver": "bisection"}
 
 
@@ -54,6 +56,8 @@ VARIANTS = {  # decks with settings of their own; the forms for comparison cost 
     "perforation_quick, damage, wet": ("perforation_quick", {**DAMAGE, **WATER}),
     "perforation_quick, heat": ("perforation_quick", HEAT),
     "perforation_quick, heat, wet": ("perforation_quick", WET_HEAT),
+    "perforation_quick, rate, heat": ("perforation_quick", RATE_HEAT),
+    "perforation_quick, rate, heat, wet": ("perforation_quick", WET_RATE_HEAT),
     "perforation_quick to 12 us": ("perforation_quick", until("12 us")),
     "perforation_quick, rate, to 12 us": ("perforation_quick", until("12 us", RATE)),
     "perforation_quick, third invariant, wet, to 12 us": ("perforation_quick", until("12 us", {**ANGLE, **WATER})),
@@ -87,6 +91,8 @@ RUN_OF_COST = {
     "update_stress Arenisca damaged wet": "perforation_quick, damage, wet",
     "update_stress Arenisca heated": "perforation_quick, heat",
     "update_stress Arenisca heated wet": "perforation_quick, heat, wet",
+    "update_stress Arenisca rated heated": "perforation_quick, rate, heat",
+    "update_stress Arenisca rated heated wet": "perforation_quick, rate, heat, wet",
     "update_stress Arenisca general, elastic centre": "perforation_quick, elastic centre, to 12 us",
     "update_stress Arenisca general, plastic": "perforation_quick, plastic, to 4 us",
     "update_stress Arenisca general, bisection": "perforation_quick, bisection, to 4 us",

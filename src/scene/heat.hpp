@@ -36,7 +36,10 @@ inline bool takes_losses(const Scene& scene, int material) {
          std::visit(
              [](const auto& model) {
                using Model = std::decay_t<decltype(model)>;
-               return keeps_heat<Model> || is_heated_rock<Model>;
+               if constexpr (is_heated_rock<Model>)
+                 return model.parameters().specific_heat > 0.0;
+               else
+                 return keeps_heat<Model>;
              },
              scene.materials[static_cast<std::size_t>(material)].material().model
          );

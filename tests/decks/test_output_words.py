@@ -28,6 +28,7 @@ RUNS = [
     ("perforation_quick.xml", {"Time/End Time": "7 us"}),  # a hole in rock, the error of its depth is known, particles are torn off
     ("perforation_quick.xml", {"Time/End Time": "1 us", "Fidelity": "balanced"}),  # cells and steps of several sizes
     ("perforation_quick.xml", {"Time/End Time": "0.8 us", f"{ROCK}/Card": "berea_sandstone_heat.xml"}),  # damage and heat
+    ("perforation_quick.xml", {"Time/End Time": "0.8 us", f"{ROCK}/Card": "seeberger_sandstone_heat.xml"}),  # and rate dependence
     # Divided particles of a jet, whose error of the wide hole is known, and unknown with larger cells.
     ("perforation.xml", {"Time/End Time": "1.5 us", "Jet/Cells Per Radius": "1.2"}),
     ("perforation.xml", {"Time/End Time": "1.5 us", "Jet/Cells Per Radius": "1"}),

@@ -120,7 +120,7 @@ def main():
     library = barreno_library.load(path)
     with tempfile.TemporaryDirectory() as folder:
         program = build(folder, path)
-        for card in ("berea_sandstone", "berea_sandstone_heat", "copper"):
+        for card in ("berea_sandstone", "berea_sandstone_heat", "seeberger_sandstone_heat", "copper"):
             material = barreno_library.Material(card, library)
             for points in (1, 7, 512):
                 check_block(program, material, card, points)

@@ -63,6 +63,7 @@ contains
     integer :: c, step
     external :: umat
     stress = 0; state = 0; tangent = 0; sse = 0; spd = 0; stran = 0; time = 0; dt = 1d-6; pnewdt = 1; props = 1
+    drot = reshape([1d0, 0d0, 0d0, 0d0, 1d0, 0d0, 0d0, 0d0, 1d0], [3, 3])
     do step = 1, steps
       do c = 1, 6
         dstran(c) = increment(1, order(c), step)

@@ -303,6 +303,8 @@ struct Sample<DamagedArenisca> : Sample<Arenisca> {
     list[2].second = "Damage pressure";
     list[3].first.PEAKI1 = 0.0;
     list[4].first.T1_rate_dependence = 1e-5;
+    list[4].first.J3_type = arenisca::Lode::willam_warnke;
+    list[4].first.J3_psi = 0.8;
     list[5].first.J3_type = arenisca::Lode::gudehus;
     list[5].first.J3_psi = 0.8;
     list[6].first.return_solver = 1;
@@ -360,6 +362,8 @@ struct Sample<HeatedArenisca> : Sample<Arenisca> {
     for (std::size_t i = 6; i < 9; ++i)
       list[i].first = heated(Sample<Arenisca>::parameters());  // rock without damage
     list[6].first.T1_rate_dependence = 1e-5;
+    list[6].first.J3_type = arenisca::Lode::willam_warnke;
+    list[6].first.J3_psi = 0.8;
     list[7].first.J3_type = arenisca::Lode::gudehus;
     list[7].first.J3_psi = 0.8;
     list[8].first.return_solver = 1;
@@ -371,6 +375,20 @@ template <>
 struct Sample<HeatedWetArenisca> : Sample<Arenisca> {
   static Arenisca::Parameters parameters() {
     return Sample<HeatedArenisca>::heated(Sample<DamagedWetArenisca>::parameters());
+  }
+};
+
+/// Rock with damage that heats, with overstress.
+template <>
+struct Sample<RatedHeatedArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() {
+    return Sample<RatedArenisca>::rated(Sample<HeatedArenisca>::parameters());
+  }
+};
+template <>
+struct Sample<RatedHeatedWetArenisca> : Sample<Arenisca> {
+  static Arenisca::Parameters parameters() {
+    return Sample<RatedArenisca>::rated(Sample<HeatedWetArenisca>::parameters());
   }
 };
 

@@ -152,6 +152,8 @@ template <>
 constexpr double round_trip<DamagedWetArenisca> = 1e-5;
 template <>
 constexpr double round_trip<HeatedWetArenisca> = 1e-5;
+template <>
+constexpr double round_trip<RatedHeatedWetArenisca> = 1e-5;
 template <class Model>
 constexpr double open_part = 1e-4;
 template <>
@@ -164,6 +166,8 @@ template <>
 constexpr double open_part<DamagedWetArenisca> = 0.01;
 template <>
 constexpr double open_part<HeatedWetArenisca> = 0.01;
+template <>
+constexpr double open_part<RatedHeatedWetArenisca> = 0.01;
 
 TYPED_TEST(Drain, ElasticPointsForgetWhatCameBack) {
   const auto model = sample_model<TypeParam>();

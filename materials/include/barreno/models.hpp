@@ -40,6 +40,8 @@ using AnyModel = arenisca::WithOtherParts<JoinedVariants<
         DamagedWetArenisca,
         HeatedArenisca,
         HeatedWetArenisca,
+        RatedHeatedArenisca,
+        RatedHeatedWetArenisca,
         GeneralArenisca>>::type>;
 
 /// Name of a model, and that of its form where several models serve one name: "Arenisca wet".

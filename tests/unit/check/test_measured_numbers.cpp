@@ -61,7 +61,7 @@ const char* const depth_files[] = {
 TEST(MeasuredNumbers, AreInstalledInWhole) {
   EXPECT_EQ(cost_tables().problem, "");
   EXPECT_EQ(depth_tables().problem, "");
-  EXPECT_EQ(cost_tables().updates.size(), 22U);
+  EXPECT_EQ(cost_tables().updates.size(), 24U);
   EXPECT_EQ(cost_tables().updates.at("update_stress Arenisca").running, 208.0);
   EXPECT_TRUE(cost_tables().updates.at("update_stress Arenisca general, bisection").is_early);
   EXPECT_EQ(cost_tables().domains, 1.6);

@@ -59,6 +59,7 @@ std::string growing_row(const Teuchos::ParameterList& card) {
 
 TEST(UpdateRow, EveryFeatureOfRockHasItsOwn) {
   const std::string plain = "update_stress Arenisca", rated = "update_stress Arenisca rated",
+                    all = "update_stress Arenisca rated heated",
                     angled = "update_stress Arenisca angled";
   for (const double fluid : {0.0, 2.2e9}) {
     Teuchos::ParameterList card = sandstone();
@@ -68,6 +69,12 @@ TEST(UpdateRow, EveryFeatureOfRockHasItsOwn) {
     card.set("T1_rate_dependence", 1e-5);
     card.set("T2_rate_dependence", 0.3);
     EXPECT_EQ(growing_row(card), rated + wet);
+    Teuchos::ParameterList breaking = card;
+    breaking.set("FSLOPE", 0.54);  // broken rock has none of its strength without pressure
+    breaking.set("Fracture strain", 0.03);
+    EXPECT_EQ(growing_row(breaking), all + wet);
+    breaking.set("Specific heat", 1000.0);
+    EXPECT_EQ(growing_row(breaking), all + wet);
     for (const char* third : {"Gudehus", "Willam-Warnke", "Mohr-Coulomb"}) {
       card.set("J3_type", std::string(third));
       card.set("J3_psi", 0.8);

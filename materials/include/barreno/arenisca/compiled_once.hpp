@@ -23,18 +23,20 @@ namespace barreno::arenisca {
   KEYWORDS void advance_step<Lanes, __VA_ARGS__>(                         \
       const __VA_ARGS__&, StepOf<Lanes, __VA_ARGS__>&, SubstepsOfTheFirst \
   );
-#define BARRENO_STEPS_OF_ALL_FORMS(KEYWORDS)      \
-  BARRENO_STEP_OF(KEYWORDS, Rock)                 \
-  BARRENO_STEP_OF(KEYWORDS, WetRock)              \
-  BARRENO_STEP_OF(KEYWORDS, ScatteredRock<Rock>)  \
-  BARRENO_STEP_OF(KEYWORDS, RatedRock<Rock>)      \
-  BARRENO_STEP_OF(KEYWORDS, RatedRock<WetRock>)   \
-  BARRENO_STEP_OF(KEYWORDS, AngledRock<Rock>)     \
-  BARRENO_STEP_OF(KEYWORDS, AngledRock<WetRock>)  \
-  BARRENO_STEP_OF(KEYWORDS, DamagedRock<Rock>)    \
-  BARRENO_STEP_OF(KEYWORDS, DamagedRock<WetRock>) \
-  BARRENO_STEP_OF(KEYWORDS, HeatedRock<Rock>)     \
-  BARRENO_STEP_OF(KEYWORDS, HeatedRock<WetRock>)
+#define BARRENO_STEPS_OF_ALL_FORMS(KEYWORDS)       \
+  BARRENO_STEP_OF(KEYWORDS, Rock)                  \
+  BARRENO_STEP_OF(KEYWORDS, WetRock)               \
+  BARRENO_STEP_OF(KEYWORDS, ScatteredRock<Rock>)   \
+  BARRENO_STEP_OF(KEYWORDS, RatedRock<Rock>)       \
+  BARRENO_STEP_OF(KEYWORDS, RatedRock<WetRock>)    \
+  BARRENO_STEP_OF(KEYWORDS, AngledRock<Rock>)      \
+  BARRENO_STEP_OF(KEYWORDS, AngledRock<WetRock>)   \
+  BARRENO_STEP_OF(KEYWORDS, DamagedRock<Rock>)     \
+  BARRENO_STEP_OF(KEYWORDS, DamagedRock<WetRock>)  \
+  BARRENO_STEP_OF(KEYWORDS, HeatedRock<Rock>)      \
+  BARRENO_STEP_OF(KEYWORDS, HeatedRock<WetRock>)   \
+  BARRENO_STEP_OF(KEYWORDS, RatedHeatedRock<Rock>) \
+  BARRENO_STEP_OF(KEYWORDS, RatedHeatedRock<WetRock>)
 
 BARRENO_STEPS_OF_ALL_FORMS(extern template)
 

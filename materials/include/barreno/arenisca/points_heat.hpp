@@ -32,6 +32,18 @@ struct RockFor<R, HeatedRock<Whole>> {
   using type = HeatedPiecesOf<R, Whole>;
 };
 
+/// Dry or wet rock with overstress and damage, heat or both: all but the third invariant.
+template <class Whole>
+struct RatedHeatedRock : HeatedRock<Whole> {
+  static constexpr bool rated = true;
+
+  double T1 = 0.0, T2 = 0.0;  ///< see RatedRock
+};
+template <class R, class Whole>
+struct RockFor<R, RatedHeatedRock<Whole>> {
+  using type = HeatedPiecesOf<R, Whole>;
+};
+
 /// What a step keeps of points that are hot.
 template <class R, bool heated>
 struct HeatOfStep {};

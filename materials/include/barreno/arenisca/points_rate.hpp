@@ -38,4 +38,39 @@ BARRENO_FUNCTION void set_overstress(const MaskOf<R>& choice, const Sym3Of<R>& o
   h.overstress_zx = real::select(choice, over.zx, h.overstress_zx);
 }
 
+/// Viscoplastic strain of a step, which damages rated rock: a share of the plastic strain of the
+/// quasi-static answer, and what the overstress from before gives up. Together they are what the
+/// dynamic stress leaves of the strain (docs/method.md 20).
+template <class R, bool asked>
+struct ViscoplasticStrain {};
+template <class R>
+struct ViscoplasticStrain<R, true> {
+  R taken = R{} + 1.0;    ///< share of the plastic strain
+  ShearOf<R> released{};  ///< deviator that overstress gives up, in the plane of the step
+  R beside{};             ///< half the square of the rest of it
+  R released_volume{};
+};
+
+/// What overstress gives up in a step, as a strain.
+/// @param m  moduli of the skeleton
+template <class R>
+BARRENO_FUNCTION Sym3Of<R> released_strain(
+    const RelaxationOf<R>& r, const Sym3Of<R>& over, const ModuliOf<R>& m
+) {
+  const R gone = real::select(r.moves, 1.0 - r.left, 0.0);
+  return gone * elastic_strain(over, m);
+}
+/// Which share of the plastic strain of a step's quasi-static answer the dynamic one takes at once.
+template <class R>
+BARRENO_FUNCTION R share_taken(const RelaxationOf<R>& r) {
+  return real::select(r.moves, 1.0 - r.mean, 1.0);
+}
+
+/// Strain that damages, of a plastic strain's deviator and volume: sqrt(2/3 e : e) + max(v, 0)/3.
+/// @param squares  half the square of the deviator
+template <class R>
+BARRENO_FUNCTION R damaging_strain(const R& squares, const R& volume) {
+  return real::sqrt(R((4.0 / 3.0) * squares)) + real::larger(volume, 0.0) * (1.0 / 3.0);
+}
+
 }  // namespace barreno::arenisca

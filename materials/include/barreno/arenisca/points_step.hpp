@@ -199,7 +199,8 @@ struct StepOf : FluidOfStep<R, Law::wet>,
                 OfPieces<R, Law::scattered, Law::about_centre>,
                 DamageOfStep<R, Law::damaged>,
                 HeatOfStep<R, Law::heated>,
-                Missed<R, Law, Law::rated> {
+                Missed<R, Law, Law::rated>,
+                ViscoplasticStrain<R, Law::rated && Law::damaged> {
   StateOf<R, Law> state;
   CapOf<R> cap;
   R dv;
@@ -332,17 +333,39 @@ BARRENO_FUNCTION void note_crossing(
   step.crossed_evp = real::select(crosses, end, step.crossed_evp);
 }
 
+/// The strain of an attempt that damages rated rock: that which the dynamic stress leaves.
+template <class R, class Law>
+BARRENO_FUNCTION R viscoplastic_strain(
+    const StepOf<R, Law>& step,
+    const SubstepOf<R, Law>& part,
+    const R& fraction,
+    const AttemptOf<R, Law>& a
+) {
+  const ShearIn<R, Law> flow = part.de - R(0.5 / a.used.shear) * (a.end.s - part.n.s);
+  const R squares =
+      squared(step.taken * flow + fraction * step.released) + fraction * fraction * step.beside;
+  return damaging_strain<R>(
+      squares, step.taken * (a.end.evp - part.n.evp) + fraction * step.released_volume
+  );
+}
+
 /// Damage at the end of attempts that began with that of the step.
 template <class R, class Law>
 BARRENO_FUNCTION R damage_after(
     const Law& law,
     const StepOf<R, Law>& step,
     const SubstepOf<R, Law>& part,
+    const R& fraction,
     const AttemptOf<R, Law>& a
 ) {
-  const R opened = real::larger(R(a.end.evp - part.n.evp), 0.0);
-  const R sheared = a.end.shear_strain - part.n.shear_strain;
-  const R strain = sheared + opened * (1.0 / 3.0);
+  R strain{};
+  if constexpr (Law::rated) {
+    strain = viscoplastic_strain(step, part, fraction, a);
+  } else {
+    const R opened = real::larger(R(a.end.evp - part.n.evp), 0.0);
+    const R sheared = a.end.shear_strain - part.n.shear_strain;
+    strain = sheared + opened * (1.0 / 3.0);
+  }
   const R share = law.damage.share(R(0.5 * (part.n.x + a.end.x)), part.cap);
   return real::smaller(R(step.damage + share * strain / step.fracture_strain), 1.0);
 }
@@ -357,12 +380,15 @@ BARRENO_FUNCTION R damage_points(
     const Law& law,
     const StepOf<R, Law>& step,
     const SubstepOf<R, Law>& part,
+    const R& fraction,
     const Choice& choose,
     AttemptOf<R, Law>& a
 ) {
   constexpr double largest_growth = 0.1, negligible = 0.02, per_shear = 1.4142135623730951;
-  const MaskOf<R> sound = step.active & !(a.elastic | a.refused) & real::is_finite(a.error);
-  const R guess = real::select(sound, damage_after(law, step, part, a), step.damage);
+  MaskOf<R> sound = step.active & !(a.elastic | a.refused) & real::is_finite(a.error);
+  // Overstress makes plastic strain where the quasi-static answer is elastic too.
+  if constexpr (Law::rated) sound = step.active & !a.refused & real::is_finite(a.error);
+  const R guess = real::select(sound, damage_after(law, step, part, fraction, a), step.damage);
   const R lost = per_shear * law.damage.fall(a.end.x, step.coherence) * (guess - step.damage);
   const MaskOf<R> grows = sound & choose.alike(MaskOf<R>(lost > negligible * a.allowed));
   if (!real::any(grows)) return guess;
@@ -370,7 +396,7 @@ BARRENO_FUNCTION R damage_points(
   SubstepOf<R, Law> again = part;
   assign_where(grows, cap_of(weaker, part.n.evp), again.cap);
   AttemptOf<R, Law> b = attempt_points(weaker, grows, again, choose);
-  const R damage = real::select(grows, damage_after(law, step, part, b), guess);
+  const R damage = real::select(grows, damage_after(law, step, part, fraction, b), guess);
   const R missed =
       per_shear * law.damage.fall(b.end.x, step.coherence) * real::abs(R(damage - guess));
   const R growth = (damage - step.damage) * (1.0 / largest_growth);
@@ -389,7 +415,7 @@ BARRENO_ONCE void advance_step(const Law& law, StepOf<R, Law>& step, Choice choo
   const SubstepOf<R, Law> part = substep_of(step, fraction);
   AttemptOf<R, Law> a = attempt_points(rock, step.active, part, choose);
   R damage{};
-  if constexpr (Law::damaged) damage = damage_points(law, step, part, choose, a);
+  if constexpr (Law::damaged) damage = damage_points(law, step, part, fraction, choose, a);
   VerdictOf<R> verdict = verdict_on(law, step, fraction, a);
   choose(verdict);
   step.refused = step.refused | (step.active & verdict.gives_up);

@@ -51,13 +51,19 @@ inline bool is_scattered(const AreniscaParameters& p) {
 inline bool is_plain_law(const AreniscaParameters& p, bool wet) {
   return p.return_solver == 0 && (wet ? is_poroplastic(p) : p.fluid_B0 == 0.0);
 }
-/// With damage, which excludes third invariant and rate dependence (arenisca_rules.hpp).
+/// With damage, which excludes the third invariant (arenisca_rules.hpp).
 inline bool is_damaged(const AreniscaParameters& p, bool wet) {
-  return is_plain_law(p, wet) && p.fracture_strain > 0.0 && p.specific_heat == 0.0;
+  return is_plain_law(p, wet) && p.T1_rate_dependence == 0.0 && p.fracture_strain > 0.0 &&
+         p.specific_heat == 0.0;
 }
 /// With heat, and with damage or without; it excludes the same.
 inline bool is_heated(const AreniscaParameters& p, bool wet) {
-  return is_plain_law(p, wet) && p.specific_heat > 0.0;
+  return is_plain_law(p, wet) && p.T1_rate_dependence == 0.0 && p.specific_heat > 0.0;
+}
+/// With rate dependence, and with damage, heat or both.
+inline bool is_rated_heated(const AreniscaParameters& p, bool wet) {
+  return is_plain_law(p, wet) && p.T1_rate_dependence > 0.0 &&
+         (p.fracture_strain > 0.0 || p.specific_heat > 0.0);
 }
 /// With third invariant.
 inline bool is_angled(const AreniscaParameters& p, bool wet) {

@@ -89,10 +89,10 @@ inline std::string check_damage(const AreniscaParameters& p) {
            "set PEAKI1, or leave the damage out.";
   }
   const bool other = count_of_others(p) > 0;
-  if (p.T1_rate_dependence > 0.0 || p.J3_type != 0 || other || !is_plain_law(p, p.fluid_B0 > 0.0)) {
+  if (p.J3_type != 0 || other || !is_plain_law(p, p.fluid_B0 > 0.0)) {
     return strain +
-           " (damage) goes with neither rate dependence, J3_type, the bisection, a published pore "
-           "fluid nor parts from outside; leave those or the damage out.";
+           " (damage) goes with neither J3_type, the bisection, a published pore fluid nor parts "
+           "from outside; leave those or the damage out.";
   }
   const bool own = p.residual_slope > 0.0;
   const std::string slope = own ? named("Residual slope", p.residual_slope)
@@ -116,11 +116,10 @@ inline std::string check_damage(const AreniscaParameters& p) {
 inline std::string check_heat(const AreniscaParameters& p) {
   if (p.specific_heat == 0.0) return {};
   const bool other = count_of_others(p) > 0;
-  if (p.T1_rate_dependence == 0.0 && p.J3_type == 0 && !other && is_plain_law(p, p.fluid_B0 > 0.0))
-    return {};
+  if (p.J3_type == 0 && !other && is_plain_law(p, p.fluid_B0 > 0.0)) return {};
   return named("Specific heat", p.specific_heat) +
-         " (heat) goes with neither rate dependence, J3_type, the bisection, a published pore "
-         "fluid nor parts from outside; leave those or the heat out.";
+         " (heat) goes with neither J3_type, the bisection, a published pore fluid nor parts from "
+         "outside; leave those or the heat out.";
 }
 
 /// One part in place of a published one, in rock without the features that have forms of their own.

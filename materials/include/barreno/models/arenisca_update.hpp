@@ -108,6 +108,38 @@ struct StepEnd {
   R elastic_work, plastic_work;
 };
 
+/// The overstress of a step.
+template <class R>
+struct OverstressStepOf {
+  RelaxationOf<R> relaxation;
+  Sym3Of<R> before, after;
+  Sym3Of<R> missed;  ///< change of the effective stress had the step been elastic, less what it was
+  ModuliOf<R> moduli;
+};
+
+/// Works of the dynamic stress in rock with damage or heat, from those of the quasi-static answer:
+/// what is dissipated is the dynamic stress times the viscoplastic strain (docs/method.md 20).
+/// @param twice_mean  effective quasi-static stress before the step and after it
+/// @param gained  work that overstress adds to that of the quasi-static stress
+/// @param[in,out] end  where `some`
+template <class R>
+BARRENO_FUNCTION void add_dynamic_works(
+    const OverstressStepOf<R>& o,
+    const MaskOf<R>& some,
+    const Sym3Of<R>& twice_mean,
+    const R& gained,
+    StepEnd<R>& end
+) {
+  const R taken = share_taken(o.relaxation);
+  const Sym3Of<R> released = released_strain(o.relaxation, o.before, o.moduli);
+  const Sym3Of<R> flow = taken * elastic_strain(o.missed, o.moduli) + released;
+  const R dissipated = taken * end.plastic_work +
+                       0.5 * (contract(twice_mean, released) + contract(o.before + o.after, flow));
+  const R work = end.elastic_work + end.plastic_work + gained;
+  end.elastic_work = real::select(some, work - dissipated, end.elastic_work);
+  end.plastic_work = real::select(some, dissipated, end.plastic_work);
+}
+
 /// The overstress at the end of a step, and the works of the dynamic stress.
 /// @param missed  change of the effective stress had the step been elastic, less what it was
 /// @param begin   pores before the step
@@ -124,9 +156,16 @@ BARRENO_FUNCTION void add_overstress(
 ) {
   if (rock.T1 == 0.0) return;
   const Sym3Of<R> over = overstress_of<R>(p.history);
-  const Sym3Of<R> new_over = relaxed(rock.T1, rock.T2, p.increment, missed, over);
+  const RelaxationOf<R> relaxation = relaxation_in(rock.T1, rock.T2, p.increment);
+  const Sym3Of<R> new_over = relaxed(relaxation, missed, over);
   const MaskOf<R> over_any = contract(over, over) + contract(new_over, new_over) > 0.0;
   Sym3Of<R> strain = p.increment.strain;
+  // What grains expand the law has not seen.
+  if constexpr (Law::heated)
+    strain = strain - isotropic(R(p.history.thermal_expansion * (1.0 / 3.0)));
+  const Sym3Of<R> seen = strain;
+  const Sym3Of<R> quasi_static = end.stress + isotropic(end.pores.pressure);
+  const Sym3Of<R> quasi_static_total = end.stress;
   if constexpr (has_poroplastic_fluid<Law>) {
     const MaskOf<R> moves = over_any & (p.increment.dt > 0.0);
     const R gained = trace(new_over - over);
@@ -137,11 +176,19 @@ BARRENO_FUNCTION void add_overstress(
   }
   const Sym3Of<R> before = p.stress + isotropic(begin.pressure);
   end.stress = end.stress + new_over;
-  const Sym3Of<R> after = end.stress + isotropic(end.pores.pressure);
-  const R work = 0.5 * contract(p.stress + end.stress, p.increment.strain);
-  const R dissipated = dissipated_work(strain, before, after, moduli);
-  end.plastic_work = real::select(over_any, dissipated, end.plastic_work);
-  end.elastic_work = real::select(over_any, work - dissipated, end.elastic_work);
+  if constexpr (Law::damaged) {
+    const R gained = 0.5 * contract(over + (end.stress - quasi_static_total), seen);
+    const Sym3Of<R> twice_mean = (before - over) + quasi_static;
+    add_dynamic_works<R>(
+        {relaxation, over, new_over, missed, moduli}, over_any, twice_mean, gained, end
+    );
+  } else {
+    const Sym3Of<R> after = end.stress + isotropic(end.pores.pressure);
+    const R work = 0.5 * contract(p.stress + end.stress, p.increment.strain);
+    const R dissipated = dissipated_work(strain, before, after, moduli);
+    end.plastic_work = real::select(over_any, dissipated, end.plastic_work);
+    end.elastic_work = real::select(over_any, work - dissipated, end.elastic_work);
+  }
   set_overstress<R>(choice, new_over, p.history);
 }
 
@@ -193,6 +240,44 @@ BARRENO_ALIKE MaskOf<R> end_step(
   return flows & step.refused;
 }
 
+/// The strain that overstress from before gives up in a step, in the plane of the step.
+template <class R, class Law, class Points>
+BARRENO_FUNCTION void begin_release(
+    const Law& law, const StartOf<R, Law>& n, const Points& p, StepOf<R, Law>& step
+) {
+  const RelaxationOf<R> relaxation = relaxation_in(law.T1, law.T2, p.increment);
+  const Sym3Of<R> over = overstress_of<R>(p.history);
+  const Sym3Of<R> released = released_strain(relaxation, over, n.elastic.moduli);
+  const Sym3Of<R> shear = deviator(released);
+  const PlaneOf<R> plane = plane_of(n.s, n.de);
+  const auto part = [&](const Sym3Of<R>& axis, const R& size) {
+    return R(0.5 * PlaneOf<R>::ratio(contract(shear, axis), size));
+  };
+  step.taken = share_taken(relaxation);
+  step.released = {part(plane.s, plane.s_size), part(plane.across, plane.across_size)};
+  step.beside = real::larger(R(0.5 * contract(shear, shear) - squared(step.released)), 0.0);
+  step.released_volume = trace(released);
+}
+
+/// Damage of rated points in steps whose quasi-static answer is elastic: overstress flows on.
+/// @param x  mean I1 of the quasi-static stress
+template <class R, class Law, class Points>
+BARRENO_FUNCTION void damage_elastic_points(
+    const Law& law, const MaskOf<R>& elastic, const StartOf<R, Law>& n, const R& x, Points& p
+) {
+  auto& h = p.history;
+  const RelaxationOf<R> relaxation = relaxation_in(law.T1, law.T2, p.increment);
+  const Sym3Of<R> over = overstress_of<R>(h);
+  const Sym3Of<R> released = released_strain(relaxation, over, n.elastic.moduli);
+  const Sym3Of<R> shear = deviator(released);
+  const R strain = damaging_strain(R(0.5 * contract(shear, shear)), trace(released));
+  const MaskOf<R> grows = elastic & (strain > 0.0);
+  if (!real::any(grows)) return;
+  const R share = law.damage.share(x, cap_of(rock_of<R>(law, h), n.evp));
+  const R damage = real::smaller(R(h.damage + share * strain / h.fracture_strain), 1.0);
+  h.damage = real::select(grows, damage, h.damage);
+}
+
 /// A step that flows, from the point as it is before it.
 template <class R, class Law, class Points>
 BARRENO_ALIKE StepOf<R, Law> begin_rock(const Law& law, const MaskOf<R>& flows, const Points& p) {
@@ -206,6 +291,7 @@ BARRENO_ALIKE StepOf<R, Law> begin_rock(const Law& law, const MaskOf<R>& flows, 
     step.fracture_strain = p.history.fracture_strain;
   }
   if constexpr (Law::heated) step.temperature = p.history.temperature;
+  if constexpr (Law::rated && Law::damaged) begin_release(law, n, p, step);
   if constexpr (Law::about_centre) step.fluid_mass_ratio = p.history.fluid_mass_ratio;
   return step;
 }
@@ -248,6 +334,7 @@ BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Po
   StepEnd<R> end{whole.s + isotropic(mean_stress), {}, out.elastic_work, out.plastic_work};
   if constexpr (Law::wet) end.pores = whole.pores;
   if constexpr (Law::rated) {
+    if constexpr (Law::damaged) damage_elastic_points(law, elastic, n, R(0.5 * (n.x + whole.x)), p);
     const PoresOf<R> begin = pores_before<R>(rock_of_pores<R>(law, p.history), p.history);
     add_overstress<R>(law, elastic, Sym3Of<R>{}, whole.used, begin, p, end);
     out.elastic_work = end.elastic_work;

@@ -16,8 +16,8 @@ namespace barreno {
 /// Dry or wet Arenisca with rate dependence (arenisca/points_rate.hpp), strength that scatters
 /// (arenisca/parts/scatter.hpp) and, in the angled form, third invariant (arenisca/parts/lode.hpp);
 /// or with damage (arenisca/parts/damage.hpp) and scatter, or with heat (arenisca/parts/heat.hpp)
-/// besides: the same law, with features that the plain form leaves out when it is compiled. Those
-/// that a card does not ask for are off.
+/// besides, or with rate dependence and both: the same law, with features that the plain form
+/// leaves out when it is compiled. Those that a card does not ask for are off.
 ///
 /// @param Plain     the form without them
 /// @param Law_      rock of arenisca/points_angle.hpp, points_damage.hpp or points_heat.hpp
@@ -92,7 +92,7 @@ struct FeaturedForm {
   template <class R>
   BARRENO_FUNCTION void add_heat(const R& heat, const Sym3Of<R>& stress, HistoryOf<R>& h) const {
     static_assert(Law::heated, "rock with heat");
-    const R warming = heat * (1.0 / parameters().specific_heat);
+    const R warming = heat * rock_.heat.per_specific_heat;
     h.temperature = h.temperature + warming;
     h.thermal_expansion = h.thermal_expansion +
                           rock_.heat.expansion(warming, arenisca::rock_pressure<Law>(stress, h));
@@ -232,6 +232,26 @@ struct HeatedWetHistoryOf {
   R temperature{}, thermal_expansion{};
 };
 template <class R>
+struct RatedHeatedHistoryOf {
+  R plastic_volume_strain{}, equivalent_plastic_strain{};
+  R coherence = R{} + 1.0;
+  R damage{}, fracture_strain = R{} + 1.0;
+  R temperature{}, thermal_expansion{};
+  R overstress_xx{}, overstress_yy{}, overstress_zz{};
+  R overstress_xy{}, overstress_yz{}, overstress_zx{};
+};
+template <class R>
+struct RatedHeatedWetHistoryOf {
+  R plastic_volume_strain{}, equivalent_plastic_strain{};
+  R fluid_mass_ratio = R{} + 1.0;
+  R pore_pressure{}, porosity{}, gas{};
+  R coherence = R{} + 1.0;
+  R damage{}, fracture_strain = R{} + 1.0;
+  R temperature{}, thermal_expansion{};
+  R overstress_xx{}, overstress_yy{}, overstress_zz{};
+  R overstress_xy{}, overstress_yz{}, overstress_zx{};
+};
+template <class R>
 struct FeaturedHistoryOf {
   R plastic_volume_strain{}, equivalent_plastic_strain{};
   R coherence = R{} + 1.0;
@@ -256,6 +276,9 @@ using ScatteredForm =
 using DamagedForm = FeaturedForm<Arenisca, arenisca::DamagedRock<arenisca::Rock>, DamagedHistoryOf>;
 
 using HeatedForm = FeaturedForm<Arenisca, arenisca::HeatedRock<arenisca::Rock>, HeatedHistoryOf>;
+
+using RatedHeatedForm =
+    FeaturedForm<Arenisca, arenisca::RatedHeatedRock<arenisca::Rock>, RatedHeatedHistoryOf>;
 
 /// With fluid in its pores, in the poroplastic form.
 template <class Law, template <class> class History_ = FeaturedWetHistoryOf>
@@ -335,6 +358,19 @@ struct HeatedWetArenisca : HeatedWetForm {
   using HeatedWetForm::HeatedWetForm;
   static constexpr const char* form = "heated wet";
   static bool needed(const Parameters& p) { return arenisca::is_heated(p, true); }
+};
+
+struct RatedHeatedArenisca : RatedHeatedForm {
+  using FeaturedForm::FeaturedForm;
+  static constexpr const char* form = "rated heated";
+  static bool needed(const Parameters& p) { return arenisca::is_rated_heated(p, false); }
+};
+using RatedHeatedWetForm =
+    FeaturedWetForm<arenisca::RatedHeatedRock<arenisca::WetRock>, RatedHeatedWetHistoryOf>;
+struct RatedHeatedWetArenisca : RatedHeatedWetForm {
+  using RatedHeatedWetForm::RatedHeatedWetForm;
+  static constexpr const char* form = "rated heated wet";
+  static bool needed(const Parameters& p) { return arenisca::is_rated_heated(p, true); }
 };
 
 }  // namespace barreno

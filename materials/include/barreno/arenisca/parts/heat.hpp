@@ -101,6 +101,7 @@ struct Heat {
     return {};
   }
 
+  double per_specific_heat = 0.0;    ///< 1/c [temperature mass/energy]
   double per_heat_capacity = 0.0;    ///< 1/(rho c), rho of the rock [temperature/stress]
   double pressure_per_kelvin = 0.0;  ///< Gamma rho_s c [stress/temperature]
   double initial_temperature = 293.0;
@@ -113,9 +114,11 @@ struct Heat {
   template <class All>
   static Heat make(const All& p, double density) {
     Heat h;
+    h.initial_temperature = p.initial_temperature;
+    if (p.specific_heat == 0.0) return h;  // rock without heat that has other features
+    h.per_specific_heat = 1.0 / p.specific_heat;
     h.per_heat_capacity = 1.0 / (density * p.specific_heat);
     h.pressure_per_kelvin = p.grueneisen * p.grain_density * p.specific_heat;
-    h.initial_temperature = p.initial_temperature;
     if (p.melting_temperature > 0.0)
       h.per_way_to_melting = 1.0 / (p.melting_temperature - p.initial_temperature);
     h.grains = p.B0 + p.B1;

@@ -47,16 +47,18 @@ struct Rate {
   static std::string check(const Parameters& /*p*/) { return {}; }
 };
 
-/// Overstress after a step. D = 0 with T2 > 0: tau is infinite, the overstress stays. dt = 0: rate
-/// terms are off and it stays too.
-/// @param missed  change of an elastic step less the quasi-static change [stress]
+/// How overstress relaxes in a step.
 template <class R>
-BARRENO_FUNCTION Sym3Of<R> relaxed(
-    double T1,
-    double T2,
-    const IncrementOf<Sym3Of<R>>& increment,
-    const Sym3Of<R>& missed,
-    const Sym3Of<R>& over
+struct RelaxationOf {
+  MaskOf<R> moves;  ///< where it does
+  R mean;           ///< (1 - exp(-dt/tau)) tau/dt
+  R left;           ///< exp(-dt/tau)
+};
+/// D = 0 with T2 > 0: tau is infinite, the overstress stays. dt = 0: rate terms are off and it
+/// stays too.
+template <class R>
+BARRENO_FUNCTION RelaxationOf<R> relaxation_in(
+    double T1, double T2, const IncrementOf<Sym3Of<R>>& increment
 ) {
   constexpr double small = 1e-4;
   const R size = real::sqrt(contract(increment.strain, increment.strain));
@@ -70,8 +72,22 @@ BARRENO_FUNCTION Sym3Of<R> relaxed(
   const MaskOf<R> slow = ratio < small;
   const R series = 1.0 - ratio * (0.5 - ratio * (1.0 / 6.0));
   const R mean = real::select(slow, series, (1.0 - left) / real::select(slow, 1.0, ratio));
-  const MaskOf<R> moves = timed & (strained | (T2 == 0.0 ? timed : !timed));
-  return select_points(moves, mean * missed + left * over, over);
+  return {timed & (strained | (T2 == 0.0 ? timed : !timed)), mean, left};
+}
+
+/// Overstress after a step.
+/// @param missed  change of an elastic step less the quasi-static change [stress]
+template <class R>
+BARRENO_FUNCTION Sym3Of<R> relaxed(
+    const RelaxationOf<R>& r, const Sym3Of<R>& missed, const Sym3Of<R>& over
+) {
+  return select_points(r.moves, r.mean * missed + r.left * over, over);
+}
+
+/// Strain that takes this stress.
+template <class R>
+BARRENO_FUNCTION Sym3Of<R> elastic_strain(const Sym3Of<R>& stress, const ModuliOf<R>& m) {
+  return R(0.5 / m.shear) * deviator(stress) + isotropic(R(trace(stress) / (9.0 * m.bulk)));
 }
 
 /// Work that a step under the dynamic stress dissipates, by plastic flow and by overstress: what
