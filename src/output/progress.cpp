@@ -244,6 +244,31 @@ std::string at_most_text(const Scene& scene) {
   return scene.at_rest ? format(", at most t = %.4g s", scene.end_time) : std::string();
 }
 
+std::string counted_text(const std::string& name, const CountedMass& counted) {
+  return name + ": " + barreno::counted(counted.particles, "particles") +
+         format(", %.6g kg", counted.mass);
+}
+
+/// What was taken over from another run.
+std::vector<std::string> continued_lines(const RunDescription& run) {
+  const Continued& continued = run.continued;
+  if (!continued.on()) return {};
+  std::vector<std::string> lines{
+      "  continues  " + input::on_one_line(run.continued_run.run) +
+      format(" at t = %.6g s, which is 0 here, velocities ", continued.time) +
+      word_of(run.continued_run.velocities)};
+  for (const ContinuedBody& body : continued.bodies)
+    if (body.in_deck)
+      lines.push_back("  taken      " + input::on_one_line(counted_text(body.name, body.taken)));
+  for (const ContinuedBody& body : continued.bodies)
+    if (body.left.particles > 0.0)
+      lines.push_back(
+          "  left       " + input::on_one_line(counted_text(body.name, body.left)) +
+          (body.in_deck ? " (outside of the grid, or lost)" : " (not in the deck)")
+      );
+  return lines;
+}
+
 /// How a run to rest has ended.
 std::string end_text(const Scene& scene, const RunVerdict& verdict) {
   if (!scene.at_rest) return "";
@@ -267,6 +292,7 @@ std::vector<std::string> scene_lines(
   lines.push_back("  modelled   " + modelled_text(scene));
   lines.push_back("  left out   " + left_out_text(scene));
   if (scene.quasi_static.on()) lines.push_back("  slow       " + slow_text(scene));
+  for (const std::string& line : continued_lines(run)) lines.push_back(line);
   for (const std::string& note : run.notes) lines.push_back("  note       " + note);
   const char* const plural = ranks == 1 ? "" : "s";
   lines.push_back(
