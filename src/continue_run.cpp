@@ -253,19 +253,15 @@ std::vector<IdRange> ids_of_run(
     const Stage& stage, const Continued& before, const BodyCensus& census
 ) {
   if (!before.on()) return particle_id_ranges(stage.run, census.first);
-  std::vector<IdRange> ids(stage.run.bodies.size());
-  std::size_t next = 0;
-  for (const ContinuedBody& body : before.bodies) {
-    if (!body.in_deck) continue;
-    const std::vector<std::string> names = names_of_bodies(stage.run);
-    const auto b = std::find(names.begin(), names.end(), body.name) - names.begin();
-    if (static_cast<std::size_t>(b) == names.size())
-      throw FileError(
-          "cannot continue '" + stage.said.run +
-          "' (its checkpoint names a body that its deck "
-          "does not have); start again with that run."
-      );
-    ids[static_cast<std::size_t>(b)] = before.ids[next++];
+  std::vector<IdRange> ids;
+  for (const BodySpec& body : stage.run.bodies) {
+    std::size_t place = 0;  // among the bodies that the run took over
+    for (const ContinuedBody& taken : before.bodies) {
+      if (!taken.in_deck) continue;
+      if (taken.name == input::on_one_line(body.name)) break;
+      ++place;
+    }
+    ids.push_back(before.ids.at(place));  // read_continued has found all bodies
   }
   return ids;
 }

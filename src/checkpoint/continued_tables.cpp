@@ -6,7 +6,9 @@
 #include "files/text_file.hpp"
 #include "output/radii.hpp"
 
+#include <barreno/input/scan_xml.hpp>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace barreno {
@@ -62,13 +64,15 @@ private:
 /// Names and numbers of the bodies, without their ids.
 std::vector<ContinuedBody> bodies_of(const Checkpoint& checkpoint, const Tables& tables) {
   std::vector<ContinuedBody> bodies;
-  std::istringstream names(checkpoint.continued_names);
+  const std::string& text = checkpoint.continued_names;
+  if (text.empty() || text.back() != '\n')
+    throw WrongTable{text.empty() ? "continued_names is missing" : "continued_names is cut", 0};
+  std::istringstream names(text);
   for (std::string name; std::getline(names, name);) {
     ContinuedBody body;
     body.name = name;
     bodies.push_back(body);
   }
-  if (bodies.empty()) throw WrongTable{"continued_names is empty", 0};
   const std::vector<double>& in_deck = tables.whole_rows("in_deck", bodies.size(), 2.0);
   for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].in_deck = in_deck[b] == 1.0;
   for (const BodyColumn& column : body_columns) {
@@ -76,6 +80,16 @@ std::vector<ContinuedBody> bodies_of(const Checkpoint& checkpoint, const Tables&
     for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].*column.part.*column.value = rows[b];
   }
   return bodies;
+}
+
+/// Every body of the scene is one of them, once.
+void check_names(const Scene& scene, const std::vector<ContinuedBody>& bodies) {
+  std::multiset<std::string> in_deck, wanted;
+  for (const ContinuedBody& body : bodies)
+    if (body.in_deck) in_deck.insert(body.name);
+  for (const BodySpec& body : scene.bodies) wanted.insert(input::on_one_line(body.name));
+  if (in_deck != wanted)
+    throw WrongTable{"continued_names are not those of the bodies of the deck", 0};
 }
 
 /// Ranges of ids, which share none.
@@ -133,14 +147,8 @@ Continued read_continued(const Scene& scene, const Checkpoint& checkpoint) {
     const Tables tables(checkpoint.continued);
     continued.time = tables.rows("time", 1).front();
     continued.bodies = bodies_of(checkpoint, tables);
-    std::size_t in_deck = 0;
-    for (const ContinuedBody& body : continued.bodies) in_deck += body.in_deck ? 1U : 0U;
-    if (in_deck != scene.bodies.size())
-      throw WrongTable{
-          "continued/in_deck has " + std::to_string(in_deck) + " bodies instead of " +
-              std::to_string(scene.bodies.size()),
-          0};
-    continued.ids = ids_of(scene, in_deck, tables);
+    check_names(scene, continued.bodies);
+    continued.ids = ids_of(scene, scene.bodies.size(), tables);
     continued.half_sizes = tables.rows("half_sizes", scene.materials.size());
     continued.radii_start = tables.rows("radii_start", 2 * hollow_balls(scene).size());
   });

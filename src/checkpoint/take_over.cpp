@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <barreno/history_values.hpp>
+#include <barreno/input/scan_xml.hpp>
 #include <barreno/models.hpp>
 #include <limits>
 #include <unordered_map>
@@ -206,7 +207,7 @@ std::vector<ContinuedBody> bodies_of(
     const bool jet = b == run.bodies.size();
     if (jet && !run.jet.present) continue;
     bodies.push_back(
-        {jet ? "Jet" : run.bodies[b].name,
+        {jet ? "Jet" : input::on_one_line(run.bodies[b].name),
          succession.body_of[b] >= 0,
          {taken[2 * b], taken[2 * b + 1]},
          {left[2 * b], left[2 * b + 1]}}

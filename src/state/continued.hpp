@@ -17,7 +17,7 @@ struct CountedMass {
 
 /// A body of the run that a deck continues, or its jet.
 struct ContinuedBody {
-  std::string name;
+  std::string name;      ///< on one line
   bool in_deck = false;  ///< the deck has a body of that name
   CountedMass taken;     ///< what the deck's body starts with
   CountedMass left;      ///< what the run ended with and no body of the deck has
