@@ -196,10 +196,12 @@ std::string grid_text(const GridSpec& grid) {
   return text;
 }
 
-std::string body_text(const Scene& scene, const BodySpec& body) {
+/// @param filled  by the deck itself, not with the particles of another run
+std::string body_text(const Scene& scene, const BodySpec& body, bool filled) {
   const MaterialSpec& material = scene.materials[static_cast<std::size_t>(body.material)];
-  std::string text = body.name + ": " + material.name() + " (" + material.model_name() + "), " +
-                     counted(body.particles_per_cell, "particles per cell and direction");
+  std::string text = body.name + ": " + material.name() + " (" + material.model_name() + ")";
+  if (!filled) return text;
+  text += ", " + counted(body.particles_per_cell, "particles per cell and direction");
   if (body.initial_pressure != 0.0)
     text += ", starts under " + si(1e-6 * body.initial_pressure, "MPa");
   if (body.pore_pressure && (*body.pore_pressure > 0.0 || material.is_porous()))
@@ -287,7 +289,7 @@ std::vector<std::string> scene_lines(
   );
   lines.push_back("  grid       " + grid_text(scene.grid));
   for (const BodySpec& body : scene.bodies)
-    lines.push_back("  body       " + body_text(scene, body));
+    lines.push_back("  body       " + body_text(scene, body, !run.continued.on()));
   if (scene.jet.present) lines.push_back("  jet        " + jet_text(scene));
   lines.push_back("  modelled   " + modelled_text(scene));
   lines.push_back("  left out   " + left_out_text(scene));
