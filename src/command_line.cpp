@@ -3,6 +3,8 @@
 
 #include "base/error.hpp"
 #include "command_pages.hpp"
+#include "deck/section_table.hpp"
+#include "deck/sections/continue_section.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <barreno/input/nearest_name.hpp>
 #include <barreno/input/scan_xml.hpp>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -226,6 +229,22 @@ void check_operand(const std::string& operand, Command command) {
   }
 }
 
+/// The run that is continued becomes a part of the deck, so that deck.xml of the new run names it.
+void take_stage(const std::string& folder, Options& options) {
+  const char* const example =
+      "write for example barreno continue runs/perforation-1 --deck second_stage.xml.";
+  if (folder.empty())
+    throw DeckError(std::string("the folder of the finished run is missing; ") + example);
+  if (options.deck_file.empty())
+    throw DeckError(
+        std::string("--deck is missing (the deck of the second stage says its pressures, time and "
+                    "output); ") +
+        example
+    );
+  const std::string run = std::filesystem::absolute(folder).lexically_normal().string();
+  options.overrides.insert(options.overrides.begin(), path_of(&ContinueSpec::run) + "=" + run);
+}
+
 const CommandPage* page_of(const CLI::App& program) {
   if (program.get_subcommands().empty()) return nullptr;
   const std::string name = program.get_subcommands().front()->get_name();
@@ -266,6 +285,10 @@ Options parse_command_line(int argc, const char* const* argv) {
   const CLI::App& app = *program.get_subcommands().front();
   const std::string operand = operand_of(app, *page);
   take_options(app, known, options);
+  if (page->command == Command::continue_run) {
+    take_stage(operand, options);
+    return options;
+  }
   (page->command == Command::describe ? options.section : options.deck_file) = operand;
   if (page->command == Command::drive)
     check_drive(options.drive);

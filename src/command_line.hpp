@@ -8,7 +8,7 @@
 
 namespace barreno {
 
-enum class Command { help, version, run, resume, check, drive, solve_flow, describe };
+enum class Command { help, version, run, continue_run, resume, check, drive, solve_flow, describe };
 
 /// Tables of what a run writes, as docs/output.md and the report have them.
 enum class OutputTable { none, fields, history, ledger, report };
@@ -18,7 +18,7 @@ struct Options {
   Command command = Command::help;
   Command help_of = Command::help;  ///< whose help was asked for
   std::string deck_file;  ///< run, check; of resume the run's folder, of solve-flow the problem
-  std::vector<std::string> overrides;  ///< --set, in order; --until
+  std::vector<std::string> overrides;  ///< --set, in order; --until; of continue its folder
   DriveRequest drive;
   std::string out;  ///< empty: a new folder below runs/
   bool overwrite = false;

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "deck/fidelity.hpp"
 #include "deck/section_table.hpp"
+#include "deck/sections/continue_section.hpp"
 #include "deck/sections/head_section.hpp"
 #include "deck/sections/time_section.hpp"
 
@@ -93,6 +94,39 @@ CommandPage run_page() {
        fidelity_option},
       "barreno run input_xml/perforation.xml --out results\n"
       "barreno run input_xml/perforation.xml --set \"Grid/Cell Size=0.5 mm\" --ranks 4"};
+}
+
+CommandPage continue_page() {
+  CommandPage page = run_page();
+  page.command = Command::continue_run;
+  page.name = "continue";
+  page.summary =
+      "Compute a deck whose bodies start with the particles of a finished run (docs/continue.md):\n"
+      "other pressures, drained flow, slow loading. What was taken over is listed.";
+  page.operand = "FOLDER";
+  page.operand_meaning = "the finished run's folder";
+  page.options.insert(
+      page.options.begin(),
+      {{"--deck",
+        "DECK",
+        "input_xml/perforation_drainage.xml",
+        "deck file of the second stage (docs/deck.md)",
+        [](Options& options, const std::string& value) { options.deck_file = value; },
+        true},
+       {"--at-rest",
+        nullptr,
+        nullptr,
+        "set the velocities of the particles to zero",
+        [](Options& options, const std::string&) {
+          options.overrides.push_back(
+              path_of(&ContinueSpec::velocities) + "=" + word_of(TakenVelocities::at_rest)
+          );
+        }}}
+  );
+  page.examples =
+      "barreno continue runs/shot --deck input_xml/perforation_drainage.xml --set \"Jet=\" "
+      "--at-rest";
+  return page;
 }
 
 CommandPage resume_page() {
@@ -272,7 +306,13 @@ CommandPage describe_page() {
 
 const std::vector<CommandPage>& command_pages() {
   static const std::vector<CommandPage> pages = {
-      run_page(), resume_page(), check_page(), drive_page(), solve_flow_page(), describe_page()};
+      run_page(),
+      continue_page(),
+      resume_page(),
+      check_page(),
+      drive_page(),
+      solve_flow_page(),
+      describe_page()};
   return pages;
 }
 

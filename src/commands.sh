@@ -16,7 +16,7 @@ table_packages=("${plot_packages[@]}" python3-pandas)
 report_packages=("${table_packages[@]}" python3-netcdf4 python3-jinja2)
 fit_packages=("${plot_packages[@]}" python3-scipy)
 uncertainty_packages=("${table_packages[@]}" python3-scipy)
-commands=(run resume check jet report flow film join converge sweep uncertainty compare drive fit import-ups describe python)
+commands=(run resume continue check jet report flow film join converge sweep uncertainty compare drive fit import-ups describe python)
 
 usage() {
   sed "s|^barreno |$name |" <<'TEXT'
@@ -24,6 +24,8 @@ barreno run DECK [options]        compute (one rank per core)
     --ranks N   --out FOLDER   --overwrite   --fidelity fast|balanced|reference
     --set "List/Parameter=value"    (as often as needed; "List/Parameter=" removes a value or a list)
 barreno resume FOLDER [--until TIME] [--ranks N]   continue from a run's last checkpoint
+barreno continue FOLDER --deck DECK [--at-rest] [options of run]
+                                  a deck that starts from the particles of a finished run (docs/continue.md)
 barreno check DECK [--set ...] [--fidelity ...] [--ranks N]   validate a deck, print its plan and cost
 barreno jet DECK [--cut-off VELOCITY] [--resistance STRESS] [--strength STRESS] [--out FOLDER] [--set ...] [--fidelity ...]
                                   the jet of a deck: table, audit, picture, depths by theory (docs/jets.md)
@@ -180,7 +182,7 @@ start_ranks() {  # mpirun's words
   exit "$code"
 }
 
-compute() {  # run or resume, and its arguments
+compute() {  # run, resume or continue, and its arguments
   local command=$1 ranks="" arguments=()
   shift
   while (($#)); do
@@ -262,7 +264,7 @@ carry_out() {  # the words of the command line
   fi
   case ${1-} in
     "" | -h | --help | help) usage ;;
-    run | resume) compute "$@" ;;
+    run | resume | continue) compute "$@" ;;
     report | film)
       if [[ $# == 1 || $2 == -* ]]; then
         example=$([[ $1 == report ]] && echo "report runs/perforation-1" || echo "film runs/perforation-1 --field pressure")

@@ -7,6 +7,7 @@
 #include "check/plan.hpp"
 #include "check/predict_cost.hpp"
 #include "command_line.hpp"
+#include "continue_run.hpp"
 #include "deck/describe_deck.hpp"
 #include "deck/echo_deck.hpp"
 #include "deck/files/read_deck.hpp"
@@ -64,11 +65,13 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   refuse_unreachable_end(deck, scene);
   refuse_rest_without_target(deck, scene);
   check_solver_lists(deck, scene, *comm);
+  const std::optional<Stage> stage = find_stage(deck, scene, comm);
   const std::optional<Probe> probe = probe_run(scene, *comm);
   const BodyCensus census = take_census(scene, comm);
   const Prediction prediction =
       probe ? predict_cost(scene, *probe, census.counts, comm->getSize()) : Prediction{};
-  State state = build_state(scene, census, comm);
+  State state = stage ? build_empty_state(scene, census, comm) : build_state(scene, census, comm);
+  const Continued continued = stage ? start_from_run(*stage, deck, scene, state) : Continued{};
   const std::string name = std::filesystem::path(options.deck_file).stem().string();
   const auto folder = create_run_folder(*comm, {options.out, options.overwrite, name});
   const FolderLock lock(*comm, folder);
@@ -85,7 +88,9 @@ int run_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
       deck.surface_files,
       build_facts(),
       jet_monitor_of(deck, scene),
-      particle_id_ranges(scene, census.first)};
+      stage ? ids_in_order(continued) : particle_id_ranges(scene, census.first),
+      stage ? stage->said : ContinueSpec{},
+      continued};
   catch_signals();  // before this nothing is lost
   Output output(scene, state, description);
   output.write_if_due(scene, state);
@@ -107,6 +112,7 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   refuse_unreachable_end(deck, scene);
   refuse_rest_without_target(deck, scene);
   check_solver_lists(deck, scene, *comm);
+  const std::optional<Stage> stage = find_stage(deck, scene, comm);
   if (options.print_deck) {
     if (is_root(*comm)) std::cout << effective_deck_xml(deck);
     return static_cast<int>(ExitCode::finished);
@@ -122,12 +128,11 @@ int check_deck(const Options& options, const Teuchos::RCP<const Comm>& comm) {
     return build_scene(read_deck(options.deck_file, overrides, *comm));
   };
   const std::string fidelities = fidelity_lines(scene_with, ranks);
+  std::vector<std::string> notes = notes_of(deck, scene);
+  if (stage) notes.push_back(stage_note(*stage));
   if (is_root(*comm))
-    std::cout
-        << plan_text(
-               scene, probe_cost(scene), ranks, notes_of(deck, scene), jet_monitor_of(deck, scene)
-           )
-        << fidelities;
+    std::cout << plan_text(scene, probe_cost(scene), ranks, notes, jet_monitor_of(deck, scene))
+              << fidelities;
   return static_cast<int>(ExitCode::finished);
 }
 
@@ -151,6 +156,7 @@ int carry_out(const Options& options, const Teuchos::RCP<const Comm>& comm) {
   const bool root = is_root(*comm);
   switch (options.command) {
     case Command::run:
+    case Command::continue_run:
       return run_deck(options, comm);
     case Command::resume:
       return resume(options.deck_file, options.overrides, build_facts(), comm);
@@ -179,7 +185,8 @@ int carry_out(const Options& options, const Teuchos::RCP<const Comm>& comm) {
 
 /// A page that did not reach the file or pipe it was sent to is a failure; a run has its run.log.
 void refuse_lost_screen(const Options& options, const Comm& comm) {
-  const bool computes = options.command == Command::run || options.command == Command::resume;
+  const bool computes = options.command == Command::run || options.command == Command::resume ||
+                        options.command == Command::continue_run;
   RootWork work(comm);
   work.run([&] {
     if (!computes && !std::cout.flush())
@@ -220,7 +227,8 @@ int report_errors(int argc, char** argv, const Teuchos::RCP<const Comm>& comm) {
 bool needs_mpi(int argc, char** argv) {
   if (is_rank()) return true;
   const std::string word = argc > 1 ? argv[1] : "";
-  return word == "run" || word == "resume" || word == "check" || word == "solve-flow";
+  return word == "run" || word == "continue" || word == "resume" || word == "check" ||
+         word == "solve-flow";
 }
 
 }  // namespace

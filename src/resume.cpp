@@ -5,7 +5,9 @@
 #include "base/interrupt.hpp"
 #include "check/plan.hpp"
 #include "checkpoint/check_values.hpp"
+#include "checkpoint/continued_tables.hpp"
 #include "checkpoint/read_checkpoint.hpp"
+#include "continue_run.hpp"
 #include "deck/echo_deck.hpp"
 #include "deck/files/read_deck.hpp"
 #include "deck/section_table.hpp"
@@ -109,12 +111,13 @@ std::unique_ptr<FolderLock> lock_if_there(const Comm& comm, const std::filesyste
 RunNumbers position_in(
     const Scene& scene,
     const BodyCensus& census,
+    const Continued& continued,
     const Checkpoint& checkpoint,
     const Teuchos::RCP<const Comm>& comm
 ) {
   RunNumbers position = checkpoint.output;
   position["time"] = {number_of(checkpoint.numbers, "time")};
-  if (!hollow_balls(scene).empty())
+  if (!hollow_balls(scene).empty() && !continued.on())
     position["radii_start"] = start_of_radii(scene, build_state(scene, census, comm));
   return position;
 }
@@ -136,9 +139,13 @@ int resume(
   refuse_rest_without_target(deck, scene);
   refuse_resume(folder, deck, scene, checkpoint);
   const BodyCensus census = take_census(scene, comm);
-  const std::vector<IdRange> ids = particle_id_ranges(scene, census.first);
-  const RunNumbers position = position_in(scene, census, checkpoint, comm);
+  const auto continues = read_section<ContinueSpec>(deck);
+  const Continued continued = continues.on() ? read_continued(scene, checkpoint) : Continued{};
+  const std::vector<IdRange> ids =
+      continues.on() ? ids_in_order(continued) : particle_id_ranges(scene, census.first);
+  const RunNumbers position = position_in(scene, census, continued, checkpoint, comm);
   State state = build_empty_state(scene, census, comm);
+  if (continues.on()) bound_steps(scene, continued, state);
   check_checkpoint(scene, state, checkpoint);
   read_checkpoint(scene, ids, checkpoint, state);
   settle_checkpoints(*comm, checkpoint);
@@ -150,8 +157,17 @@ int resume(
       to_text(number_of(checkpoint.numbers, "step"))
   );
   const std::string text = overrides.empty() ? checkpoint.deck_text : effective_deck_xml(deck);
-  const RunDescription description{
-      folder, file, text, BARRENO_VERSION, notes, {}, {}, build, jet_monitor_of(deck, scene), ids};
+  RunDescription description;
+  description.folder = folder;
+  description.deck_name = file;
+  description.deck_text = text;
+  description.version = BARRENO_VERSION;
+  description.notes = notes;
+  description.build = build;
+  description.monitor = jet_monitor_of(deck, scene);
+  description.ids = ids;
+  description.continued_run = continues;
+  description.continued = continued;
   catch_signals();
   Output output(scene, state, description, position);
   output.go_on_from(scene, state);

@@ -23,7 +23,10 @@ void forget_scratch(State& state) {
 }  // namespace
 
 Checkpoints::Checkpoints(const Scene& scene, const RunDescription& run)
-    : spec_(scene.output.checkpoint), folder_(run.folder), deck_text_(run.deck_text) {}
+    : spec_(scene.output.checkpoint),
+      folder_(run.folder),
+      deck_text_(run.deck_text),
+      continued_(run.continued) {}
 
 bool Checkpoints::may_write(const State& state) {
   return state.clock.step % steps_per_permutation != 0;
@@ -58,7 +61,7 @@ std::string Checkpoints::write_last(Output& output, State& state) {
   last_time_ = state.clock.time;
   watch_ = {};
   try {
-    write_checkpoint(folder_, deck_text_, output.position(), state);
+    write_checkpoint(folder_, deck_text_, output.position(), state, continued_);
   } catch (const FileError& error) {
     return error.what();
   }

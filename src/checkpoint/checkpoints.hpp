@@ -37,6 +37,7 @@ private:
   CheckpointSpec spec_;
   std::filesystem::path folder_;
   std::string deck_text_;
+  Continued continued_;
   Stopwatch watch_;      ///< since the last checkpoint
   long last_step_ = -1;  ///< of the last checkpoint, or the first step seen
   double last_time_ = 0.0;

@@ -49,6 +49,8 @@ std::string read_on_root(const SealedFile& sealed, const fs::path& path, Checkpo
     found.deck_text = file->read_text("deck");
     found.numbers = read_numbers(*file, "run");
     found.output = read_numbers(*file, "output");
+    if (file->has("continued")) found.continued = read_numbers(*file, "continued");
+    if (file->has("continued_names")) found.continued_names = file->read_text("continued_names");
     found.open = std::move(file);
   } catch (const FileError& error) {
     return error.what();
@@ -180,6 +182,8 @@ Checkpoint find_checkpoint(const Comm& comm, const fs::path& folder) {
   found.deck_text = broadcast_from_root(comm, found.deck_text);
   found.numbers = share(comm, found.numbers);
   found.output = share(comm, found.output);
+  found.continued = share(comm, found.continued);
+  found.continued_names = broadcast_from_root(comm, found.continued_names);
   return found;
 }
 

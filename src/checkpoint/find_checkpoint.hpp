@@ -15,11 +15,13 @@ namespace barreno {
 /// The newest whole checkpoint of a run folder, found and kept open but not read yet.
 struct Checkpoint {
   std::filesystem::path file;
-  std::shared_ptr<const Hdf5File> open;        ///< the file whose seal was compared; on every rank
-  std::string deck_text;                       ///< the effective deck that it belongs to
-  RunNumbers numbers;                          ///< for_each_number, and "cavities"
-  RunNumbers output;                           ///< where the other files were, see Output::position
-  std::vector<std::string> notes;              ///< why a newer file was passed over
+  std::shared_ptr<const Hdf5File> open;  ///< the file whose seal was compared; on every rank
+  std::string deck_text;                 ///< the effective deck that it belongs to
+  RunNumbers numbers;                    ///< for_each_number, and "cavities"
+  RunNumbers output;                     ///< where the other files were, see Output::position
+  RunNumbers continued;                  ///< of a run that continues another one (read_continued)
+  std::string continued_names;           ///< likewise
+  std::vector<std::string> notes;        ///< why a newer file was passed over
   std::vector<std::filesystem::path> damaged;  ///< those files
 };
 

@@ -5,6 +5,7 @@
 #include "base/gather.hpp"
 #include "base/rank_work.hpp"
 #include "base/region.hpp"
+#include "checkpoint/continued_tables.hpp"
 #include "checkpoint/hdf5_file.hpp"
 #include "checkpoint/seal.hpp"
 #include "checkpoint/write_rows.hpp"
@@ -174,9 +175,11 @@ void read_back(const fs::path& path) {
   const auto check = [&](const std::string& group, const std::string& name) {
     file.check(std::string(group).append("/").append(name));
   };
-  for (const std::string group : {"run", "ledger", "output", "grid"})
-    for (const std::string& name : file.names(group)) check(group, name);
-  file.check("deck");
+  for (const std::string group : {"run", "ledger", "output", "grid", "continued"})
+    if (file.has(group))
+      for (const std::string& name : file.names(group)) check(group, name);
+  for (const char* text : {"deck", "continued_names"})
+    if (file.has(text)) file.check(text);
   for (const std::string& material : file.names("particles"))
     check("particles/" + material, "rank_counts");
 }
@@ -238,6 +241,7 @@ void write_run(
     const std::string& deck_text,
     const RunNumbers& output,
     const State& state,
+    const Continued& continued,
     std::vector<double> tile_steps,
     Hdf5File& file
 ) {
@@ -247,6 +251,8 @@ void write_run(
   file.write("run/ranks", one_column(std::vector<double>{1.0 * grid.comm->getSize()}), "");
   write_numbers(numbers_of(state), "run/", file);
   write_numbers(output, "output/", file);
+  write_numbers(numbers_of(continued), "continued/", file);
+  if (continued.on()) file.write("continued_names", names_of(continued));
   file.write(
       "grid/owner", one_column(std::vector<long long>(grid.owner.begin(), grid.owner.end()))
   );
@@ -259,7 +265,8 @@ CheckpointLayout lay_out(
     const fs::path& aside,
     const std::string& deck_text,
     const RunNumbers& output,
-    const State& state
+    const State& state,
+    const Continued& continued
 ) {
   const Comm& comm = *state.grid.comm;
   const double bytes = estimate(state);
@@ -273,7 +280,7 @@ CheckpointLayout lay_out(
   work.run([&] {
     refuse_full_disk(aside.parent_path(), bytes);
     file = std::make_unique<Hdf5File>(aside, Hdf5File::Mode::create);
-    write_run(deck_text, output, state, std::move(tile_steps), *file);
+    write_run(deck_text, output, state, continued, std::move(tile_steps), *file);
   });
   write_sums(comm, state, work, file);
   work.run([&] {
@@ -335,13 +342,14 @@ void write_checkpoint(
     const fs::path& folder,
     const std::string& deck_text,
     const RunNumbers& output,
-    const State& state
+    const State& state,
+    const Continued& continued
 ) {
   const Region region("write_checkpoint");
   const Comm& comm = *state.grid.comm;
   const fs::path aside = folder / checkpoint_temporary_name;
   try {
-    const CheckpointLayout layout = lay_out(aside, deck_text, output, state);
+    const CheckpointLayout layout = lay_out(aside, deck_text, output, state, continued);
     write_particles(aside, layout, state);
     seal_checkpoint(comm, aside);
     RootWork work(comm);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "checkpoint/checkpoint_contents.hpp"
+#include "state/continued.hpp"
 #include "state/state.hpp"
 
 #include <filesystem>
@@ -24,11 +25,13 @@ inline constexpr const char* previous_checkpoint_name = "checkpoint_previous.h5"
 ///
 /// @param deck_text  the effective deck
 /// @param output     where the other files of the run are (Output::position)
+/// @param continued  what the run started with, if it continues another one
 void write_checkpoint(
     const std::filesystem::path& folder,
     const std::string& deck_text,
     const RunNumbers& output,
-    const State& state
+    const State& state,
+    const Continued& continued = {}
 );
 
 /// Gives a sealed checkpoint.h5.tmp its name; what had that name becomes checkpoint_previous.h5.

@@ -5,6 +5,7 @@
 #include "deck/sections/body_force_section.hpp"
 #include "deck/sections/body_section.hpp"
 #include "deck/sections/contact_section.hpp"
+#include "deck/sections/continue_section.hpp"
 #include "deck/sections/detonation_section.hpp"
 #include "deck/sections/grid_section.hpp"
 #include "deck/sections/head_section.hpp"
@@ -36,6 +37,7 @@ input::Section build_schema() {
       materials,
       section_of<ShapeSection>(),
       bodies_section(),
+      section_of<ContinueSpec>(),
       section_of<ConditionSpec>(),
       section_of<PressureLoadSpec>(),
       section_of<ConfinementSection>(),

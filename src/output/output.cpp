@@ -46,6 +46,9 @@ struct Output::Parts {
       const RunNumbers& position
   );
   void open_files(const Scene& scene, const State& state, const RunNumbers& position);
+  std::vector<double> start_of_radii_in(
+      const Scene& scene, const State& state, const RunNumbers& position
+  ) const;
   void write_fields(const Scene& scene, const State& state);
   void write_rows(const Scene& scene, const State& state);
   void write_depth(const Scene& scene, const State& state);
@@ -133,6 +136,14 @@ Output::Parts::Parts(
   whole = this->position();
 }
 
+/// Of a run that continues another one the radii are those of the undeformed bodies.
+std::vector<double> Output::Parts::start_of_radii_in(
+    const Scene& scene, const State& state, const RunNumbers& position
+) const {
+  if (run.continued.on()) return run.continued.radii_start;
+  return position.empty() ? start_of_radii(scene, state) : position.at("radii_start");
+}
+
 void Output::Parts::open_files(const Scene& scene, const State& state, const RunNumbers& position) {
   const auto kept = [&](const char* name) {
     return static_cast<std::uintmax_t>(number_of(position, name));
@@ -166,7 +177,7 @@ void Output::Parts::open_files(const Scene& scene, const State& state, const Run
     radii = std::make_unique<RadiiWriter>(
         scene,
         *comm,
-        position.empty() ? start_of_radii(scene, state) : position.at("radii_start"),
+        start_of_radii_in(scene, state, position),
         run.folder / "radii.csv",
         kept("radii_bytes")
     );

@@ -4,9 +4,11 @@
 #include "base/build_facts.hpp"
 #include "base/run_numbers.hpp"
 #include "deck/deck.hpp"
+#include "deck/sections/continue_section.hpp"
 #include "deck/sections/jet_monitor_section.hpp"
 #include "output/prediction.hpp"
 #include "scene/scene.hpp"
+#include "state/continued.hpp"
 #include "state/id_ranges.hpp"
 #include "state/state.hpp"
 
@@ -29,6 +31,8 @@ struct RunDescription {
   BuildFacts build{};                   ///< of the program, see build_facts
   JetMonitorSpec monitor{};             ///< not present() without a Jet Monitor
   std::vector<IdRange> ids{};           ///< of all particles, see particle_id_ranges
+  ContinueSpec continued_run{};         ///< the run that it continues, as the deck names it
+  Continued continued{};                ///< not on() unless the run continues another one
 };
 
 /// How a run ended.

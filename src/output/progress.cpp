@@ -196,10 +196,12 @@ std::string grid_text(const GridSpec& grid) {
   return text;
 }
 
-std::string body_text(const Scene& scene, const BodySpec& body) {
+/// @param filled  by the deck itself, not with the particles of another run
+std::string body_text(const Scene& scene, const BodySpec& body, bool filled) {
   const MaterialSpec& material = scene.materials[static_cast<std::size_t>(body.material)];
-  std::string text = body.name + ": " + material.name() + " (" + material.model_name() + "), " +
-                     counted(body.particles_per_cell, "particles per cell and direction");
+  std::string text = body.name + ": " + material.name() + " (" + material.model_name() + ")";
+  if (!filled) return text;
+  text += ", " + counted(body.particles_per_cell, "particles per cell and direction");
   if (body.initial_pressure != 0.0)
     text += ", starts under " + si(1e-6 * body.initial_pressure, "MPa");
   if (body.pore_pressure && (*body.pore_pressure > 0.0 || material.is_porous()))
@@ -244,6 +246,31 @@ std::string at_most_text(const Scene& scene) {
   return scene.at_rest ? format(", at most t = %.4g s", scene.end_time) : std::string();
 }
 
+std::string counted_text(const std::string& name, const CountedMass& counted) {
+  return name + ": " + barreno::counted(counted.particles, "particles") +
+         format(", %.6g kg", counted.mass);
+}
+
+/// What was taken over from another run.
+std::vector<std::string> continued_lines(const RunDescription& run) {
+  const Continued& continued = run.continued;
+  if (!continued.on()) return {};
+  std::vector<std::string> lines{
+      "  continues  " + input::on_one_line(run.continued_run.run) +
+      format(" at t = %.6g s, which is 0 here, velocities ", continued.time) +
+      word_of(run.continued_run.velocities)};
+  for (const ContinuedBody& body : continued.bodies)
+    if (body.in_deck)
+      lines.push_back("  taken      " + input::on_one_line(counted_text(body.name, body.taken)));
+  for (const ContinuedBody& body : continued.bodies)
+    if (body.left.particles > 0.0)
+      lines.push_back(
+          "  left       " + input::on_one_line(counted_text(body.name, body.left)) +
+          (body.in_deck ? " (outside of the grid, or lost)" : " (not in the deck)")
+      );
+  return lines;
+}
+
 /// How a run to rest has ended.
 std::string end_text(const Scene& scene, const RunVerdict& verdict) {
   if (!scene.at_rest) return "";
@@ -262,11 +289,12 @@ std::vector<std::string> scene_lines(
   );
   lines.push_back("  grid       " + grid_text(scene.grid));
   for (const BodySpec& body : scene.bodies)
-    lines.push_back("  body       " + body_text(scene, body));
+    lines.push_back("  body       " + body_text(scene, body, !run.continued.on()));
   if (scene.jet.present) lines.push_back("  jet        " + jet_text(scene));
   lines.push_back("  modelled   " + modelled_text(scene));
   lines.push_back("  left out   " + left_out_text(scene));
   if (scene.quasi_static.on()) lines.push_back("  slow       " + slow_text(scene));
+  for (const std::string& line : continued_lines(run)) lines.push_back(line);
   for (const std::string& note : run.notes) lines.push_back("  note       " + note);
   const char* const plural = ranks == 1 ? "" : "s";
   lines.push_back(

@@ -315,6 +315,27 @@ void put_anomalies(Json& json, const Scene& scene, const std::vector<Anomalies>&
   }
 }
 
+void put_counted(Json& json, const CountedMass& counted) {
+  json["particles"] = number(counted.particles);
+  json["mass"] = number(counted.mass);
+}
+
+/// What was taken over from another run, and what was left.
+void put_continued(Json& json, const RunDescription& run) {
+  if (!run.continued.on()) return;
+  Json& continued = json["continued"];
+  continued["run"] = as_utf8(run.continued_run.run);
+  continued["time"] = number(run.continued.time);
+  continued["velocities"] = word_of(run.continued_run.velocities);
+  continued["bodies"] = Json::object();
+  continued["left_out"] = Json::object();
+  for (const ContinuedBody& body : run.continued.bodies) {
+    const std::string name = as_utf8(body.name);
+    if (body.in_deck) put_counted(continued["bodies"][name], body.taken);
+    if (body.left.particles > 0.0) put_counted(continued["left_out"][name], body.left);
+  }
+}
+
 /// What ended a run that has finished; null of others.
 Json end_word(const Scene& scene, const RunVerdict& verdict) {
   if (!verdict.finished) return nullptr;
@@ -364,6 +385,7 @@ std::string summary_text(
   json["title"] = as_utf8(scene.title);
   json["version"] = as_utf8(run.version);
   for (const auto& [name, value] : run.build) json["build"][name] = as_utf8(value);
+  put_continued(json, run);
   json["mode"] = word_of(scene.grid.mode);
   json["finished"] = verdict.finished;
   json["reason"] = as_utf8(verdict.reason);

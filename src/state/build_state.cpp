@@ -37,14 +37,15 @@ template <class Model>
 struct VariesByPiece<Model, std::void_t<decltype(&Model::vary)>> : std::true_type {};
 
 /// Shares of a particle in the pressures on the surfaces of its ball.
-void put_shares(const Scene& scene, const BodySpec& body, int p, Particles& particles) {
+void put_shares(
+    const Scene& scene, const BodySpec& body, const Vector& x, int p, Particles& particles
+) {
   const auto* ball = std::get_if<Ball>(&body.shape);
   if (particles.surface_share.components == 0 || ball == nullptr) return;
   const int count = dimensions(scene.grid.mode);
   int c = 0;
   for (const BallSurface surface : {BallSurface::inner, BallSurface::outer}) {
-    const SurfaceShare share =
-        surface_share(*ball, surface, vector_of(particles.position, p), count);
+    const SurfaceShare share = surface_share(*ball, surface, x, count);
     particles.surface_share(p, c++) = share.value;
     for (int d = 0; d < count; ++d)
       particles.surface_share(p, c++) = share.gradient[static_cast<std::size_t>(d)];
@@ -165,6 +166,14 @@ StartPoint start_point_of(const Model& /*model*/, const Start& start) {
 }
 
 }  // namespace
+
+void put_load_shares(
+    const Scene& scene, int body, const NewParticle& made, int p, Particles& particles
+) {
+  if (particles.loaded_faces.components > 0)
+    particles.loaded_faces(p) = loaded_face_bits(scene, body, made.loaded_sides);
+  put_shares(scene, scene.bodies[static_cast<std::size_t>(body)], made.x, p, particles);
+}
 
 StartPoint start_point(const MaterialSpec& material, const BodySpec* body) {
   StartPoint start = std::visit(
@@ -358,10 +367,7 @@ bool put_loads(
   bool lit = true;
   for (std::size_t k = 0; k < made.size(); ++k) {
     const int p = first_row + static_cast<int>(k);
-    if (particles.loaded_faces.components > 0)
-      particles.loaded_faces(p) =
-          loaded_face_bits(scene, static_cast<int>(b), made[k].loaded_sides);
-    put_shares(scene, scene.bodies[b], p, particles);
+    put_load_shares(scene, static_cast<int>(b), made[k], p, particles);
     lit = put_lighting_time(scene, p, particles) && lit;
     put_velocity_gradient(scene, scene.bodies[b], made[k], p, particles);
   }

@@ -53,4 +53,11 @@ int add_particles(
     Particles& particles
 );
 
+/// What the loads of a scene need of a particle: its loaded faces, and its shares in the pressures
+/// on the surfaces of its ball.
+/// @param made  the particle as its body was filled
+void put_load_shares(
+    const Scene& scene, int body, const NewParticle& made, int p, Particles& particles
+);
+
 }  // namespace barreno

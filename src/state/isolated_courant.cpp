@@ -32,11 +32,15 @@ double lateral_share(const Material& material) {
 }  // namespace
 
 double isolated_courant(const Scene& scene, int material) {
+  return isolated_courant(scene, material, smallest_half_size(scene, material));
+}
+
+double isolated_courant(const Scene& scene, int material, double half_size) {
   const StepSpec& step = scene.step;
   if (!step.stable_alone || step.order != Order::stress_last || step.transfer == Transfer::apic)
     return std::numeric_limits<double>::infinity();
   const double bar = visit_shape(step.shape, [&](auto shape) {
-    return decltype(shape)::isolated_courant(smallest_half_size(scene, material));
+    return decltype(shape)::isolated_courant(half_size);
   });
   const double strains = scene.grid.mode == Mode::plane_strain ? 2.0 : 3.0;
   const auto m = static_cast<std::size_t>(material);

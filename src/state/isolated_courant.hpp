@@ -17,5 +17,8 @@ namespace barreno {
 /// @return infinite if the deck does not ask for it, and for steps that leave the particles'
 /// velocities in the strain (modified stress last, stress first, APIC)
 double isolated_courant(const Scene& scene, int material);
+/// The same of a material whose smallest particle is another.
+/// @param half_size  of that particle [cells]
+double isolated_courant(const Scene& scene, int material, double half_size);
 
 }  // namespace barreno

@@ -18,8 +18,8 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHORT = ("--set", "Time/End Time=1 us", "--set", "Output/Field Interval=0.5 us")
-COMMANDS = ("run", "resume", "check", "report", "film", "join", "converge", "sweep", "uncertainty", "compare", "drive", "fit", "import-ups",
-    "describe")
+COMMANDS = ("run", "resume", "continue", "check", "report", "film", "join", "converge", "sweep", "uncertainty", "compare", "drive", "fit",
+    "import-ups", "describe")
 FILES = ("libexec/barreno/barreno", "include/barreno_material.h", "share/barreno/commands.sh", "share/barreno/cards/berea_sandstone.xml",
          "share/barreno/input_xml/perforation.xml", "share/barreno/input_xml/jets", "share/barreno/python/barreno/report/__main__.py",
          "share/barreno/python/barreno/fit/__main__.py", "share/barreno/python/barreno/materials/plot_drive.py",

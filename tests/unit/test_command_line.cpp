@@ -57,6 +57,13 @@ TEST(CommandLine, ReadsTheOtherCommands) {
   EXPECT_EQ(resume.command, Command::resume);
   EXPECT_EQ(resume.deck_file, "runs/a-1");
   EXPECT_EQ(resume.overrides, Words{"Time/End Time=200 us"});
+  const Options stage =
+      parse({"continue", "/runs/a-1", "--deck", "b.xml", "--at-rest", "--set", "A/B=1"});
+  EXPECT_EQ(stage.command, Command::continue_run);
+  EXPECT_EQ(stage.deck_file, "b.xml");
+  EXPECT_EQ(
+      stage.overrides, (Words{"Continue/Run=/runs/a-1", "Continue/Velocities=at rest", "A/B=1"})
+  );
   EXPECT_EQ(parse({"check", "run"}).deck_file, "run");  // a deck may have a command's name
   const Options drive = parse(
       {"drive",
@@ -136,6 +143,8 @@ TEST(CommandLine, RefusesWhatIsMissingOrTooMuch) {
   const std::pair<Words, const char*> refusals[] = {
       {{"run"}, "the deck file is missing"},
       {{"check", ""}, "the deck file is missing"},
+      {{"continue"}, "the folder of the finished run is missing"},
+      {{"continue", "runs/a-1"}, "--deck is missing"},
       {{"resume"}, "the run folder, which holds the checkpoint, is missing"},
       {{"run", "a.xml", "b.xml"}, "\"b.xml\" follows \"a.xml\""},
       {{"run", "a.xml", "--out"}, "--out needs a value"},

@@ -7,6 +7,7 @@
 #include "deck/deck_schema.hpp"
 #include "deck/fidelity.hpp"
 #include "deck/files/assumptions_of.hpp"
+#include "deck/files/find_run.hpp"
 #include "deck/files/jet_breaks.hpp"
 #include "deck/files/jet_table.hpp"
 #include "deck/files/read_on_root.hpp"
@@ -461,6 +462,7 @@ Deck read_deck(
 
   ParameterList values = read_values(root, reading, made);
   read_solver_lists(root, name, values);
+  find_run(name, reading.directory, comm, values);
   const std::string jet_table = include_jet_table(reading, root, values);
   std::vector<SurfaceFile> surface_files;
   const auto surfaces = read_surfaces(reading, values, surface_files);

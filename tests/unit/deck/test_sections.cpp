@@ -5,6 +5,7 @@
 #include "deck/sections/body_force_section.hpp"
 #include "deck/sections/body_section.hpp"
 #include "deck/sections/contact_section.hpp"
+#include "deck/sections/continue_section.hpp"
 #include "deck/sections/detonation_section.hpp"
 #include "deck/sections/grid_section.hpp"
 #include "deck/sections/head_section.hpp"
@@ -107,6 +108,7 @@ using All = ::testing::Types<
     DetonatorSpec,
     BodyForceSpec,
     ContactSpec,
+    ContinueSpec,
     PoreFlowSpec,
     PermeabilitySpec,
     PoreConditionSpec,
