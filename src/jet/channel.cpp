@@ -236,19 +236,33 @@ double entrance_diameter(const PathLayer& layer, const JetPath& path, const Pene
   return 2.0 * found.walls[row];
 }
 
-double channel_volume(const GridSpec& grid, const JetPath& path, const Penetration& found) {
+namespace {
+
+/// Of the rows from the face to a depth.
+double volume_to(
+    const GridSpec& grid, const JetPath& path, const std::vector<double>& walls, double depth
+) {
   const PathBins bins = path_bins(grid, path);
   const double no_wall = bins.columns * bins.width;
   double volume = 0.0;
-  for (std::size_t row = 0; row < found.walls.size(); ++row) {
-    const double height =
-        std::min(bins.height, found.channel_depth - static_cast<double>(row) * bins.height);
+  for (std::size_t row = 0; row < walls.size(); ++row) {
+    const double height = std::min(bins.height, depth - static_cast<double>(row) * bins.height);
     if (!(height > 0.0)) break;
-    const double radius = found.walls[row];
+    const double radius = walls[row];
     if (radius >= no_wall) continue;
     volume += height * (grid.mode == Mode::plane_strain ? 2.0 * radius : pi * radius * radius);
   }
   return volume;
+}
+
+}  // namespace
+
+double channel_volume(const GridSpec& grid, const JetPath& path, const Penetration& found) {
+  return volume_to(grid, path, found.walls, found.channel_depth);
+}
+
+double probed_volume(const GridSpec& grid, const JetPath& path, const Penetration& found) {
+  return volume_to(grid, path, found.walls, found.probed_depth);
 }
 
 }  // namespace barreno

@@ -32,4 +32,8 @@ double entrance_diameter(const PathLayer& layer, const JetPath& path, const Pene
 /// bodies, has none. The whole circle, in plane strain per thickness [length^3].
 double channel_volume(const GridSpec& grid, const JetPath& path, const Penetration& found);
 
+/// The same down to its probed_depth, crumbs and necks included: of the hole that is as wide as the
+/// jet, without the thread behind it [length^3].
+double probed_volume(const GridSpec& grid, const JetPath& path, const Penetration& found);
+
 }  // namespace barreno

@@ -99,6 +99,7 @@ Penetration measure_penetration(const Scene& scene, const State& state, const Je
   result.jet_mass_inside = masses.mass(mass[0]);
   result.walls = wall_radii(sets, scene, path, comm);
   measure_channel(result.walls, path, result);
+  result.probed_volume = probed_volume(scene.grid, path, result);
   return result;
 }
 
@@ -116,7 +117,7 @@ DepthWriter::DepthWriter(
     if (kept > 0) return;  // it has its header
     file_->append(
         "# SI units: time s; depth, channel_depth, probed_depth, channel_radius_mid m; "
-        "jet_mass_inside "
+        "probed_volume m3 (plane strain: m2); jet_mass_inside "
         "kg (plane strain: kg per m); tip_velocity m/s; through 1 once the jet has come out of the "
         "rear of the target"
     );
@@ -130,8 +131,8 @@ DepthWriter::DepthWriter(
           "# liquids do not count: the face is that of a solid, and a hole full of liquid is open"
       );
     file_->append(
-        "time,depth,channel_depth,probed_depth,channel_radius_mid,jet_mass_inside,tip_velocity,"
-        "through"
+        "time,depth,channel_depth,probed_depth,probed_volume,channel_radius_mid,jet_mass_inside,"
+        "tip_velocity,through"
     );
   });
   work.agree();
@@ -161,6 +162,7 @@ void DepthWriter::write(const Scene& scene, const State& state) {
          last_.depth,
          last_.channel_depth,
          last_.probed_depth,
+         last_.probed_volume,
          last_.channel_radius_mid,
          last_.jet_mass_inside,
          last_.tip_velocity,

@@ -33,6 +33,7 @@ struct Penetration {
   /// metal may go on, whose length follows the size of the cells (docs/trade.md, Depth at rest)
   /// [length].
   double probed_depth = 0.0;
+  double probed_volume = 0.0;  ///< of the channel down to there; plane strain: area [length^3]
   /// Distance from the axis to the wall, at half the channel depth; 0 without a channel,
   /// the width of the grid if there is no target [length]. The wall is where the target's
   /// particles, as they are deformed, fill half of a window one cell wide and high, as in the

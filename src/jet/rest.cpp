@@ -14,7 +14,13 @@ namespace {
 
 constexpr const char* rest_samples_name = "rest_samples";
 constexpr const char* rest_look_name = "rest_look";
-constexpr std::size_t numbers_of_look = 8;
+constexpr std::size_t numbers_of_look = 14;
+constexpr std::size_t numbers_of_sample = 4;
+
+/// Share of what there is now by which it has grown.
+double share_of(double growth, double now) {
+  return now > 0.0 ? growth / now : 0.0;
+}
 
 std::string microseconds(double time) {
   return format("%.4g us", 1e6 * time);
@@ -24,14 +30,41 @@ std::string percent_text(double share) {
   return format("%.2g %%", 100.0 * share);
 }
 
+/// What the hole as wide as the jet did in the window.
+std::string width_text(const Rest& rest) {
+  if (!rest.probed) return {};
+  return ", as far as it is as wide as the jet by " +
+         percent_text(share_of(rest.probed_growth, rest.probed_depth)) + ", its volume there by " +
+         percent_text(share_of(rest.volume_growth, rest.probed_volume));
+}
+
 /// What keeps a hole from being at rest.
 std::string unrest_sentence(const Rest& rest) {
   const std::string text =
       format("The hole is not at rest: its depth grew at %.4g m/s in the last ", rest.rate()) +
-      microseconds(rest.window);
+      microseconds(rest.window) + width_text(rest);
   if (!(rest.share_on_its_way > 0.0)) return text + ".";
   return text + ", and " + percent_text(rest.share_on_its_way) +
          " of the jet's mass, which still digs, is on its way.";
+}
+
+/// What has not grown.
+std::string settled_text(const Rest& rest) {
+  std::string text;
+  if (has_growing_thread(rest))
+    text = format("as far as it is as wide as the jet, to %.4g mm, ", 1e3 * rest.probed_depth);
+  text += "its depth grew by less than " + percent_text(rest_share) + " in the last " +
+          microseconds(rest.window);
+  return rest.probed ? text + ", its volume too" : text;
+}
+
+std::string thread_sentence(const Rest& rest) {
+  if (!has_growing_thread(rest)) return {};
+  return format(
+      " Its narrower end, to %.4g mm, grew at %.4g m/s; such a thread may still grow.",
+      1e3 * rest.depth,
+      rest.rate()
+  );
 }
 
 /// Whether the numbers of a look can be of a run at this time.
@@ -43,13 +76,26 @@ bool is_look(const std::vector<double>& numbers, double time) {
   });
 }
 
-/// Whether times and depths grow, and are there if the target was met.
+/// Whether a sample of a hole can follow another: later, and in something larger.
+bool can_follow(const double* sample, const double* before) {
+  bool larger = false;
+  for (std::size_t i = 1; i < numbers_of_sample; ++i) {
+    if (sample[i] < before[i]) return false;
+    larger = larger || sample[i] > before[i];
+  }
+  return larger && sample[0] > before[0];
+}
+
+/// Whether times and sizes grow, and are there if the target was met.
 bool is_growth(const std::vector<double>& samples, bool met, double time) {
-  if (samples.size() % 2 != 0 || met == samples.empty()) return false;
-  for (std::size_t i = 0; i < samples.size(); i += 2) {
-    const double at = samples[i], depth = samples[i + 1];
-    if (!(at >= 0.0 && at <= time && depth > 0.0 && std::isfinite(depth))) return false;
-    if (i > 0 && !(at > samples[i - 2] && depth > samples[i - 1])) return false;
+  if (samples.size() % numbers_of_sample != 0 || met == samples.empty()) return false;
+  for (std::size_t i = 0; i < samples.size(); i += numbers_of_sample) {
+    const double* const sample = &samples[i];
+    if (!(sample[0] >= 0.0 && sample[0] <= time && sample[1] > 0.0)) return false;
+    if (!(sample[2] >= 0.0 && sample[3] >= 0.0)) return false;
+    if (!std::all_of(sample, sample + numbers_of_sample, [](double n) { return std::isfinite(n); }))
+      return false;
+    if (i > 0 && !can_follow(sample, sample - numbers_of_sample)) return false;
   }
   return true;
 }
@@ -84,10 +130,58 @@ RestWatch::RestWatch(RestRule rule, const RunNumbers& position) : rule_(std::mov
   if (look == position.end() || samples == position.end()) return;
   if (look->second.size() != numbers_of_look) return;
   const std::vector<double>& n = look->second;
-  last_ = {n[0] != 0.0, n[1] != 0.0, n[2] != 0.0, n[3], n[4], n[5], n[6]};
+  last_ = {
+      n[0] != 0.0,
+      n[1] != 0.0,
+      n[2] != 0.0,
+      n[3],
+      n[4],
+      n[5],
+      n[6],
+      n[8],
+      n[9] != 0.0,
+      n[10],
+      n[11],
+      n[12],
+      n[13]};
   first_contact_ = n[7];
-  for (std::size_t i = 0; i + 1 < samples->second.size(); i += 2)
-    samples_.push_back({samples->second[i], samples->second[i + 1]});
+  const std::vector<double>& s = samples->second;
+  for (std::size_t i = 0; i + numbers_of_sample <= s.size(); i += numbers_of_sample)
+    samples_.push_back({s[i], s[i + 1], s[i + 2], s[i + 3]});
+}
+
+/// A sample, if the hole has become larger.
+void RestWatch::keep(double time, const Penetration& found) {
+  Sample now{time, found.depth, found.probed_depth, found.probed_volume};
+  if (!samples_.empty()) {
+    const Sample& before = samples_.back();
+    now.depth = std::max(now.depth, before.depth);
+    now.probed_depth = std::max(now.probed_depth, before.probed_depth);
+    now.probed_volume = std::max(now.probed_volume, before.probed_volume);
+    if (now.depth == before.depth && now.probed_depth == before.probed_depth &&
+        now.probed_volume == before.probed_volume)
+      return;
+  }
+  samples_.push_back(now);
+}
+
+/// Compares the ends of the window.
+void RestWatch::judge() {
+  const Sample &now = samples_.back(), &before = samples_.front();
+  last_.depth = now.depth;
+  last_.growth = now.depth - before.depth;
+  last_.probed_depth = now.probed_depth;
+  last_.probed_growth = now.probed_depth - before.probed_depth;
+  last_.probed_volume = now.probed_volume;
+  last_.volume_growth = now.probed_volume - before.probed_volume;
+  // A jet that is through has no depth: its hole is as long as the target.
+  last_.probed = !last_.through && now.probed_depth >= wide_share * now.depth;
+  const double bottom = last_.probed ? now.probed_depth : now.depth;
+  last_.share_on_its_way = share_on_its_way(rule_, last_.time, bottom);
+  const bool settled = last_.probed ? last_.probed_growth <= rest_share * now.probed_depth &&
+                                          last_.volume_growth <= rest_share * now.probed_volume
+                                    : last_.growth <= rest_share * now.depth;
+  last_.at_rest = settled && last_.share_on_its_way <= rest_share;
 }
 
 void RestWatch::look(double time, const Penetration& found) {
@@ -97,27 +191,24 @@ void RestWatch::look(double time, const Penetration& found) {
   if (!found.met && !last_.met) return;
   if (!last_.met) first_contact_ = time;
   last_.met = true;
-  if (samples_.empty() || found.depth > samples_.back().depth)
-    samples_.push_back({time, found.depth});
+  keep(time, found);
   const double window = std::max(rule_.least_window, rest_window * (time - first_contact_));
   const double begin = std::max(first_contact_, time - window);
   const auto later = std::find_if(samples_.begin() + 1, samples_.end(), [&](const Sample& sample) {
     return sample.time > begin;
   });
   samples_.erase(samples_.begin(), later - 1);
-  const double depth = samples_.back().depth;
-  last_.share_on_its_way = share_on_its_way(rule_, time, depth);
   last_.window = time - begin;
-  last_.growth = depth - samples_.front().depth;
-  last_.at_rest = time - window >= first_contact_ && last_.growth <= rest_share * depth &&
-                  last_.share_on_its_way <= rest_share;
+  judge();
+  last_.at_rest = last_.at_rest && time - window >= first_contact_;
 }
 
 RunNumbers RestWatch::numbers() const {
   const Rest& l = last_;
   const auto flag = [](bool is) { return is ? 1.0 : 0.0; };
   std::vector<double> samples;
-  for (const Sample& sample : samples_) samples.insert(samples.end(), {sample.time, sample.depth});
+  for (const Sample& one : samples_)
+    samples.insert(samples.end(), {one.time, one.depth, one.probed_depth, one.probed_volume});
   return {
       {rest_look_name,
        {flag(l.met),
@@ -127,7 +218,13 @@ RunNumbers RestWatch::numbers() const {
         l.window,
         l.growth,
         l.share_on_its_way,
-        first_contact_}},
+        first_contact_,
+        l.depth,
+        flag(l.probed),
+        l.probed_depth,
+        l.probed_growth,
+        l.probed_volume,
+        l.volume_growth}},
       {rest_samples_name, samples}};
 }
 
@@ -147,6 +244,10 @@ bool is_at_rest(const RunNumbers& position) {
   return RestWatch({}, position).last().at_rest;
 }
 
+bool has_growing_thread(const Rest& rest) {
+  return rest.probed && share_of(rest.growth, rest.depth) > rest_share;
+}
+
 std::string rest_sentence(const Rest& rest) {
   const std::string now = microseconds(rest.time);
   if (!rest.met) return "There is no hole: the jet has not met its target by " + now + ".";
@@ -158,9 +259,9 @@ std::string rest_sentence(const Rest& rest) {
     return "There is no depth: the jet has come out of the rear of the target, and " +
            percent_text(rest.share_on_its_way) + " of its mass is still on its way at " + now + ".";
   if (!rest.at_rest) return unrest_sentence(rest);
-  return "The hole is at rest at " + now + ": its depth grew by less than " +
-         percent_text(rest_share) + " in the last " + microseconds(rest.window) +
-         ", and nothing of the jet that can still reach the bottom is on its way.";
+  return "The hole is at rest at " + now + ": " + settled_text(rest) +
+         ", and nothing of the jet that can still reach the bottom is on its way." +
+         thread_sentence(rest);
 }
 
 }  // namespace barreno

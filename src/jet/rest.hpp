@@ -11,13 +11,18 @@
 
 namespace barreno {
 
-/// The hole of a jet is at rest if its depth has grown by no more than this share in a window of
-/// time, and if no more than the same share of the jet's mass is on its way (docs/jets.md): each
-/// part of the mass makes about the same part of the depth.
+/// The hole of a jet is at rest if its depth and its volume have grown by no more than this share
+/// in a window of time, and if no more than the same share of the jet's mass is on its way
+/// (docs/jets.md): each part of the mass makes about the same part of the depth.
 inline constexpr double rest_share = 1e-3;
-/// The window, of the time since the jet met its target; it grows with the hole, which grows ever
-/// more slowly.
+/// The window, of the time since the jet met its target. It grows with the hole, which grows ever
+/// more slowly, and in bursts: it must be longer than most pauses between them, in which necks are
+/// closed or no slug arrives.
 inline constexpr double rest_window = 0.2;
+/// The hole that is as wide as the jet (Penetration::probed_depth) counts where it is at least this
+/// share of the depth; the thread of spent metal behind it does not count then. Where less of the
+/// hole is so wide, the depth alone decides.
+inline constexpr double wide_share = 0.5;
 /// Slugs lose velocity on their way through the hole: they count as on their way until they would
 /// have reached the bottom at this part of their launch velocity (docs/trade.md, what late slugs
 /// lose on their way).
@@ -51,11 +56,17 @@ struct Rest {
   double window = 0.0;            ///< over which growth is known [time]
   double growth = 0.0;            ///< of the depth in this window [length]
   double share_on_its_way = 0.0;  ///< of the jet's mass
+  double depth = 0.0;             ///< largest so far [length]
+  bool probed = false;            ///< the hole that is as wide as the jet counts
+  double probed_depth = 0.0;      ///< largest so far [length]
+  double probed_growth = 0.0;     ///< in the window [length]
+  double probed_volume = 0.0;     ///< largest so far [length^3]
+  double volume_growth = 0.0;     ///< of probed_volume in the window [length^3]
   double rate() const { return window > 0.0 ? growth / window : 0.0; }  ///< [length/time]
 };
 
-/// Looks at a hole that grows, at the times of depth.csv. The depth is the largest so far: metal
-/// that is thrown back, or removed, does not fill the hole.
+/// Looks at a hole that grows, at the times of depth.csv. Depths and volume are the largest so far:
+/// metal that is thrown back, or removed, does not fill the hole, and necks come and go.
 class RestWatch {
 public:
   explicit RestWatch(RestRule rule) : rule_(std::move(rule)) {}
@@ -68,13 +79,15 @@ public:
   RunNumbers numbers() const;
 
 private:
-  /// A depth, and when it was first seen.
+  /// The largest depths and volume so far, and when they were first seen.
   struct Sample {
-    double time, depth;
+    double time, depth, probed_depth, probed_volume;
   };
+  void keep(double time, const Penetration& found);
+  void judge();
   RestRule rule_;
   double first_contact_ = 0.0;
-  std::vector<Sample> samples_;  ///< growing depths, from the beginning of the window on
+  std::vector<Sample> samples_;  ///< of a growing hole, from the beginning of the window on
   Rest last_;
 };
 
@@ -84,6 +97,9 @@ std::string fault_of_rest(const RunNumbers& position, double time);
 
 /// Whether a checkpoint's numbers() are of a hole at rest.
 bool is_at_rest(const RunNumbers& position);
+
+/// Whether the tip has gone on where the hole as wide as the jet counts: as a rule in a thread.
+bool has_growing_thread(const Rest& rest);
 
 /// Whether a hole is at rest, and why or why not.
 std::string rest_sentence(const Rest& rest);

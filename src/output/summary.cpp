@@ -180,6 +180,7 @@ void put_penetration(
       number(p.through ? p.through_since : std::numeric_limits<double>::quiet_NaN());
   reached["channel_depth"] = number(p.channel_depth);
   reached["probed_depth"] = number(p.probed_depth);
+  reached["probed_volume"] = number(p.probed_volume);
   reached["channel_radius_mid"] = number(p.channel_radius_mid);
   reached["channel_volume"] = number(channel_volume(scene.grid, path, p));
   reached["jet_mass_inside"] = number(p.jet_mass_inside);
@@ -216,6 +217,10 @@ void put_rest(Json& json, const Rest& rest) {
   one["window"] = number(rest.window);
   one["growth"] = number(rest.growth);
   one["rate"] = number(rest.rate());
+  one["probed"] = rest.probed;
+  one["thread_grew"] = has_growing_thread(rest);
+  one["probed_growth"] = number(rest.probed_growth);
+  one["volume_growth"] = number(rest.volume_growth);
   one["share_on_its_way"] = number(rest.share_on_its_way);
 }
 

@@ -17,6 +17,7 @@ DECK = str(DECKS / "perforation_quick.xml")
 # Three slugs that dig, one of which comes late, and one below the cut-off velocity that would come later.
 SLUGS = "4x5:{0, 6000, 2e-3, 6e-3, 17600, 2e-6, 5500, 2e-3, 6e-3, 17600, 8e-6, 3000, 2e-3, 6e-3, 17600, 20e-6, 250, 2e-3, 4e-3, 17600}"
 LATE, STOPPED = 8e-6, 250.0
+SIZES = ("depth", "probed_depth", "probed_volume")
 SETTINGS = ("Time/End Time=at rest", "Jet/Table=", f"Jet/Slugs={SLUGS}", "Output/History Interval=0.5 us", "Output/Field Interval=10 us",
     "Grid/Upper={40 mm, 170 mm}", "Bodies/Casing/Lower={0 mm, 0 mm}", "Bodies/Casing/Upper={20 mm, 4 mm}",
     "Bodies/Rock/Lower={0 mm, 4 mm}", "Bodies/Rock/Upper={20 mm, 150 mm}", "Output/Checkpoint Steps=200")  # fmt: skip
@@ -47,24 +48,38 @@ def check_end(said, summary, folder):
     assert LATE < time < summary["end_time"], (time, summary["end_time"])
     depths = Run(folder).table("depth.csv")
     assert depths["time"][-1] == time == Run(folder).table("history.csv")["time"][-1]
-    largest = [max(depths["depth"][: i + 1]) for i in range(len(depths["depth"]))]
+    largest = {name: [max(depths[name][: i + 1]) for i in range(len(depths[name]))] for name in SIZES}
     first = next(t for t, depth in zip(depths["time"], depths["depth"]) if depth > 0.0)
 
     def settled(row):
-        """The rule on the depths, from the table alone."""
+        """The rule on depth and volume of the hole as wide as the jet, from the table alone."""
         now = depths["time"][row]
         begin = now - max(0.2 * (now - first), 20 * 2e-3 / 6000.0)
         if begin < first:
             return False
-        before = max(depth for t, depth in zip(depths["time"], largest) if t <= begin)
-        return largest[row] - before <= 1e-3 * largest[row]
+        before = max(i for i, t in enumerate(depths["time"]) if t <= begin)
+        assert largest["probed_depth"][row] >= 0.5 * largest["depth"][row], "the depth alone would decide"
+        return all(largest[name][row] - largest[name][before] <= 1e-3 * largest[name][row] for name in SIZES[1:])
 
-    assert settled(len(largest) - 1), "the depth still grew"
+    rows = len(depths["time"])
+    assert settled(rows - 1), "the hole still grew"
+    assert rest["probed"] and rest["probed_growth"] <= 1e-3 * largest["probed_depth"][-1], rest
+    assert rest["volume_growth"] <= 1e-3 * largest["probed_volume"][-1], rest
     assert rest["share_on_its_way"] <= 1e-3 and rest["window"] > 0.15 * (time - first), rest
-    assert rest["sentence"].startswith(f"The hole is at rest at {1e6 * time:.4g} us: its depth grew by less than 0.1 % in the last"), rest
+    check_sentence(rest, time, largest)
     assert rest["sentence"] in said and ", at rest." in said and "100 %" in said, said
     assert rest["sentence"] in (folder / "run.log").read_text()
     assert summary["jet"]["slugs_launched"] >= 3, summary["jet"]
+
+
+def check_sentence(rest, time, largest):
+    """The target is free and drifts ahead: the tip, which it carries, goes on where the hole no longer grows, and that is said."""
+    said, far, tip = rest["sentence"], 1e3 * largest["probed_depth"][-1], 1e3 * largest["depth"][-1]
+    grew = rest["growth"] > 1e-3 * largest["depth"][-1]
+    where = f"as far as it is as wide as the jet, to {far:.4g} mm, " if grew else ""
+    assert said.startswith(f"The hole is at rest at {1e6 * time:.4g} us: {where}its depth grew by less than 0.1 % in the last"), rest
+    assert ", its volume too, and nothing of the jet that can still reach the bottom is on its way." in said, rest
+    assert rest["thread_grew"] == grew == (f" Its narrower end, to {tip:.4g} mm, grew at" in said), rest
 
 
 def check_quantities(summary):

@@ -109,6 +109,28 @@ TEST(Channel, IsAsWideAsTheJetButForNecks) {
   EXPECT_EQ(probed(walls_with(30, 10, 12, 0.4)), 30.0);
 }
 
+TEST(Channel, VolumeAsWideAsTheJetLeavesOutAThread) {
+  GridSpec grid = synthetic::make_scene().grid;
+  grid.lower[0] = 0.0;
+  grid.upper[0] = 20.0;
+  JetPath path;
+  path.bin = 1.0;
+  path.end = 60.0;
+  path.bins = 60;
+  path.origin.radius = 0.5;
+  Penetration found;
+  found.walls = walls_with(30, 30, 45, 0.4);
+  found.walls[7] = 0.0;  // a crumb, in a row that is one of those as wide
+  measure_channel(found.walls, path, found);
+  ASSERT_EQ(found.probed_depth, 30.0);
+  ASSERT_EQ(found.channel_depth, 45.0);
+  const double pi = std::acos(-1.0);
+  EXPECT_NEAR(probed_volume(grid, path, found), 29.0 * pi, 1e-12);
+  EXPECT_NEAR(channel_volume(grid, path, found), (29.0 + 15.0 * 0.16) * pi, 1e-12);
+  grid.mode = Mode::plane_strain;
+  EXPECT_NEAR(probed_volume(grid, path, found), 29.0 * 2.0, 1e-12);
+}
+
 TEST(Penetration, FollowsAJetOfKnownMotion) {
   const Scene scene = synthetic::make_scene();
   const auto comm = Teuchos::DefaultComm<int>::getComm();

@@ -17,7 +17,8 @@ EXAMPLE = "write for example barreno compare runs/perforation-1 runs/perforation
 RECORD = "compare.json"
 SHOWN = (
     re.compile(
-        r"penetration\.(depth|through_since|channel_depth|probed_depth|channel_radius_mid|channel_volume|jet_mass_inside|tip_velocity)|"
+        r"penetration\.(depth|through_since|channel_depth|probed_depth|probed_volume|channel_radius_mid|channel_volume)|"
+        r"penetration\.(jet_mass_inside|tip_velocity)|"
         r"penetration\.(channel_depth|entrance_diameter)_in_body\..+|"
         r"penetration\.zones_in_body\..+\.(radius|crushed_to|dilated_to|skin)|"
         r"balances\.energy\.(kinetic|elastic|plastic|viscous|error)|"
