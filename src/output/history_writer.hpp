@@ -14,9 +14,9 @@ namespace barreno {
 struct RunTotals {
   Ledger ledger;
   double particles = 0.0;
-  double particle_steps = 0.0;    ///< advanced
-  double skipped_steps = 0.0;     ///< left as they were
-  StepShares step_shares;         ///< of particle_steps
+  double particle_steps = 0.0;  ///< advanced
+  double skipped_steps = 0.0;   ///< left as they were
+  StepShares step_shares;       ///< of particle_steps
   StepLimits step_limits;
   double time = 0.0;              ///< [time]
   std::vector<double> pore_flow;  ///< see pore_flow_values

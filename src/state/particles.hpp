@@ -71,7 +71,7 @@ struct Particles {
   double critical_courant = 1.0;  ///< of the smallest particle that the scene gives this set
   double isolated_courant = 1.0;  ///< of isolated_courant()
   double stable_step = std::numeric_limits<double>::infinity();  ///< of its rows here [time]
-  TallyScales tally_scales;       ///< of tally_scales()
+  TallyScales tally_scales;                                      ///< of tally_scales()
   BurnColumns burn_columns;
   SplitRule split_rule;
   bool sorted = false;  ///< order and tile_begin belong to the present rows and tiles

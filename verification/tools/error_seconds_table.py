@@ -35,13 +35,13 @@ def row(name, one):
 def section():
     found = json.loads(STORED.read_text())
     head = ["cells", "greatest error of the depth", "particle-steps [10^6]", "seconds", f"at {UINTAH:,.0f} ns per particle-step [s]"]
-    return "\n".join([
-        "## Error against seconds", "",
+    times = ", ".join(map(str, TIMES))
+    words = (
         "What an error of the depth costs on one core: the shot of `perforation_120us.xml` to 90 us",
-        f"(`verification/error_seconds.py BARRENO`). The error is the greatest at {', '.join(map(str, TIMES))} us, against cells of "
-        f"{REFERENCE:g} mm",
-        "everywhere. Cells of one size with one step for all are what a code without refinement offers. The last column is what their",
-        f"particle-steps cost at {UINTAH:,.0f} ns each, the least that was reported of Uintah's material point method on one core of this kind",
-        "(in metal; 4,686 ns in dry rock), so that it bounds that code's time from below. Skipped particle-steps of dormant tiles count there.",
-        "", *table(head, [row(name, one) for name, one in found.items()]), "",
-    ])
+        f"(`verification/error_seconds.py BARRENO`). The error is the greatest at {times} us, against cells of {REFERENCE:g} mm",
+        "everywhere. Cells of one size with one step for all are what a code without refinement offers. The last column is what",
+        f"their particle-steps, those of dormant tiles included, cost at {UINTAH:,.0f} ns each: the least that was reported of",
+        "Uintah's material point method on one core of this kind (in metal; 4,686 ns in dry rock). So it bounds that code's time",
+        "from below.",
+    )
+    return "\n".join(["## Error against seconds", "", *words, "", *table(head, [row(name, one) for name, one in found.items()]), ""])

@@ -39,5 +39,5 @@ def lines():
     middle = found["middle"]
     card = [shown(of(middle), factor, form) for of, factor, form in COLUMNS.values()]
     rows = sorted(found["rows"], key=lambda row: -change(row, middle))
-    return table(["parameter", "range", "known", *COLUMNS],
-        [["(the card)", "", "", *card], *([f"`{row['parameter']}`", f"{row['low']} to {row['high']}", row["known"], *ends(row)] for row in rows)])
+    shown_rows = [[f"`{row['parameter']}`", f"{row['low']} to {row['high']}", row["known"], *ends(row)] for row in rows]
+    return table(["parameter", "range", "known", *COLUMNS], [["(the card)", "", "", *card], *shown_rows])

@@ -7,6 +7,7 @@ import statistics
 from tools import depth_cost
 from tools.depth_aims import section as aims_of_depth
 from tools.depth_at_rest_table import section as depth_at_rest
+from tools.error_seconds_table import section as error_seconds
 from tools.trade_checks import verdict_lines
 from tools.trade_problems import PROBLEMS
 from tools.uniform_cells import depth_table, doubt, steady_table
@@ -172,7 +173,7 @@ def check_lines(data):
 
 def page_of(data):
     text = (pathlib.Path(__file__).resolve().parents[1] / "trade_notes.md").read_text()
-    parts = [HEAD + trust(data), fidelity_section(data), text, aims_of_depth(), depth_at_rest(), reading(data),
+    parts = [HEAD + trust(data), fidelity_section(data), text, aims_of_depth(), error_seconds(), depth_at_rest(), reading(data),
         *(problem_section(problem, data) for problem in PROBLEMS), check_lines(data)]
     return "\n".join(parts)
 

@@ -17,8 +17,7 @@ BoundEntry<TimeSpec> end_entry() {
           "End Time",
           dim::time,
           above(0.0),
-          "end of the run, or at rest: when the hole of the jet has stopped growing; a thread "
-          "behind the hole as wide as the jet does not count (docs/jets.md)"
+          "end of the run, or at rest: when the hole of the jet has stopped growing (docs/jets.md)"
       )
           .or_word(at_rest_word);
   bound.member = &TimeSpec::end_time;
