@@ -9,11 +9,13 @@ import numpy as np
 
 from barreno.flow.rings import rings_of
 from barreno.flow.solve import BOUNDARIES, solve
+from barreno.flow.surge import LIMIT, cleaned
+from barreno.flow.surge_table import lines_of_surge, numbers_of_surge, skin_of
 from barreno.report.run import opened
 from barreno.runs.faults import FILE, Fault, exit_code
 from barreno.runs.ranks import check_ranks
 from barreno.runs.tables import aligned, make_folder, place
-from barreno.runs.words import LENGTH_UNITS, TIME_UNITS, Words, quantity_of
+from barreno.runs.words import GRADIENT_UNITS, LENGTH_UNITS, PRESSURE_UNITS, TIME_UNITS, Words, quantity_of
 
 EXAMPLE = "write for example barreno flow runs/perforation-1 --boundary radial"
 PARTS = 10  # of the hole's length, whose shares are printed
@@ -27,24 +29,35 @@ def parse(words):
         help="where the fluid comes from: the rock's side (radial, default), its rear (axial) or both")
     parser.add_argument("--time", metavar="TIME", help='the output nearest to it, "200 us" (default: the last)')
     parser.add_argument("--cell", metavar="LENGTH", help='of the rings, "1 mm" (default: half a cell along the path of the jet)')
+    parser.add_argument("--surge", metavar="PRESSURE",
+        help='clean-up first: the hole is this much below the pore pressure, "7 MPa", and rock without cohesion leaves its wall')
+    parser.add_argument("--surge-limit", metavar="GRADIENT",
+        help=f'of the pore pressure, above which such rock goes (default, assumed: "{1e-9 * LIMIT:g} MPa/mm")')
     parser.add_argument("--ranks", type=int, default=1, metavar="N", help="processes of the solver")
     parser.add_argument("--out", metavar="FOLDER", help="folder of flow.json and flow.png (default RUN/flow)")
     return parser.parse_args(words)
 
 
-def quantity_in(option, text, units, example):
+def quantity_in(option, text, units, example, least="above 0"):
+    """@param least  "above 0" or "of 0 or more" """
     try:
         value = quantity_of(text, units)
     except ValueError:
-        value = 0.0
-    if not (math.isfinite(value) and value > 0.0):
-        raise Fault(f'{option} "{text}" is not a quantity above 0 with its unit; write for example {option} "{example}".')
+        value = -1.0
+    if not (math.isfinite(value) and (value > 0.0 or value == 0.0 and least != "above 0")):
+        raise Fault(f'{option} "{text}" is not a quantity {least} with its unit; write for example {option} "{example}".')
     return value
 
 
-def skin_of(efficiency, rings):
-    """s of CFE = ln(R/r) / (ln(R/r) + s), r the radius of the round hole of the same length and volume."""
-    return (1.0 / efficiency - 1.0) * math.log(rings.radii[-1] / rings.hole_radius) if efficiency > 0.0 else math.inf
+def surge_in(options):
+    """(pressure, limit of the gradient); None without a surge."""
+    if options.surge is None:
+        if options.surge_limit is not None:
+            raise Fault('--surge-limit says nothing without --surge; add for example --surge "7 MPa", or leave it out.')
+        return None
+    pressure = quantity_in("--surge", options.surge, PRESSURE_UNITS, "7 MPa", "of 0 or more")
+    return pressure, LIMIT if options.surge_limit is None else quantity_in("--surge-limit", options.surge_limit, GRADIENT_UNITS,
+        "0.1 MPa/mm", "of 0 or more")  # fmt: skip
 
 
 def shares_of(rings, flow):
@@ -59,13 +72,15 @@ def shares_of(rings, flow):
     return [*above, *zip(depth[:-1], depth[1:], np.diff(at)), *below]
 
 
-def as_json(run, boundary, rings, shot, virgin, shares):
+def as_json(run, boundary, rings, shot, virgin, shares, more=None):
+    """@param more  further entries"""
     efficiency = shot.rate / virgin.rate
     return json.dumps({"run": str(run), "boundary": boundary, "core_flow_efficiency": efficiency,
         "skin": skin_of(efficiency, rings), "shape_factor": shot.rate, "shape_factor_virgin": virgin.rate,
         "hole_radius": rings.hole_radius, "cell": float(rings.radii[1] - rings.radii[0]), "mass_error": max(shot.leak, virgin.leak),
         "method": shot.method, "iterations": shot.iterations,
-        "shares": [{"from": float(low), "to": float(high), "share": float(share)} for low, high, share in shares]}, indent=2) + "\n"
+        "shares": [{"from": float(low), "to": float(high), "share": float(share)} for low, high, share in shares],
+        **(more or {})}, indent=2) + "\n"
 
 
 def lines_of(options, rings, shot, virgin, shares):
@@ -101,16 +116,24 @@ def run(words):
         raise Fault(f"'{options.run}' is not a folder (flow reads what a run wrote into it); check the path.", FILE)
     time = quantity_in("--time", options.time, TIME_UNITS, "200 us") if options.time else None
     cell = quantity_in("--cell", options.cell, LENGTH_UNITS, "1 mm") if options.cell else None
-    rings, shot, virgin, shares = flow_of(options.run, options.boundary, time, cell, options.ranks)
+    surge = surge_in(options)
+    cleaning, more = None, {}
+    if surge is None:
+        rings, shot, virgin, shares = flow_of(options.run, options.boundary, time, cell, options.ranks)
+    else:
+        cleaning = cleaned(options.run, options.boundary, *surge, time, cell, options.ranks)
+        rings, shot, virgin = cleaning.after.rings, cleaning.after.shot, cleaning.after.virgin
+        shares, more = shares_of(rings, shot), {"surge": numbers_of_surge(cleaning)}
+        print("\n".join(lines_of_surge(cleaning)))
     print("\n".join(lines_of(options, rings, shot, virgin, shares)))
     out = pathlib.Path(options.out) if options.out else pathlib.Path(options.run) / "flow"
     make_folder(out)
-    place(out / "flow.json", as_json(options.run, options.boundary, rings, shot, virgin, shares))
+    place(out / "flow.json", as_json(options.run, options.boundary, rings, shot, virgin, shares, more))
 
     def picture(aside):
         from barreno.flow.picture import draw  # slow to load
 
-        draw(aside, rings, shot, options.boundary)
+        draw(aside, rings, shot, options.boundary, cleaning.before.rings if cleaning else None)
 
     place(out / "flow.png", picture)
     print(f"\nWritten: {out}/flow.json and flow.png")

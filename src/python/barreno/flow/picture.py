@@ -15,8 +15,8 @@ def velocity_of(rings, flow):
     return r, z, np.where(there, -rings.permeability * outward, np.nan), np.where(there, -rings.permeability * down, np.nan)
 
 
-def draw(file, rings, flow, boundary):
-    """The hole lies along the page, from left to right."""
+def draw(file, rings, flow, boundary, former=None):
+    """The hole lies along the page, from left to right.  @param former  the rings before a surge, whose wall is dashed"""
     r, z, outward, down = velocity_of(rings, flow)
     long = rings.depths[-1] - rings.depths[0]
     high = 2.0 * rings.radii[-1] / long
@@ -33,11 +33,15 @@ def draw(file, rings, flow, boundary):
     bar.ax.set_yticklabels(["0.01", "0.1", "virgin", "10", "100"])
     even = np.linspace(r[0], r[-1], len(r)), np.linspace(z[0], z[-1], len(z))
     field.streamplot(mm * even[1], mm * even[0], down.T, outward.T, color="w", linewidth=0.6, density=1.1, arrowsize=0.7)
+    if former is not None:
+        for side in (1.0, -1.0):
+            field.step(mm * z, side * mm * former.wall, where="mid", color="k", linewidth=0.8, linestyle="--")
     field.set_aspect("equal" if high > 0.15 else "auto")
     field.set_xlim(x[0], x[-1])
     field.set_ylim(-y[-1], y[-1])
     field.set_ylabel("radius [mm]: pressure above,\npermeability below")
-    field.set_title(f"{boundary} flow through the rock into the hole", fontsize=10)
+    surge = "" if former is None else " after a surge (dashed: before)"
+    field.set_title(f"{boundary} flow through the rock into the hole{surge}", fontsize=10)
     shares.step(mm * z, 0.1 * flow.into_hole / flow.rate / np.diff(rings.depths), where="mid", color="C0")
     shares.set_xlabel("depth [mm]")
     shares.set_ylabel("share of flow\n[% per mm]")

@@ -23,7 +23,23 @@ class Rings:
     permeability: np.ndarray  # over that of virgin rock; 0: no rock
     hole: np.ndarray  # whether a cell belongs to the hole
     virgin: float  # porosity
-    hole_radius: float  # of the round hole of its length that has its volume [m]
+    wall: np.ndarray  # radius of the hole in every row; 0 below the hole [m]
+    hole_length: float  # in rock [m]
+    rock: Rock = dataclasses.field(repr=False)  # the particles
+
+    @property
+    def hole_volume(self):
+        return float(np.sum(np.pi * self.wall**2) * (self.depths[1] - self.depths[0]))
+
+    @property
+    def hole_radius(self):
+        """Of the round hole of its length that has its volume [m]."""
+        return float(np.sqrt(self.hole_volume / np.pi / self.hole_length))
+
+    @property
+    def middles(self):
+        """(radii, depths) of the cells' middles."""
+        return tuple(0.5 * (edges[1:] + edges[:-1]) for edges in (self.radii, self.depths))
 
     @property
     def virgin_mobility(self):
@@ -31,29 +47,46 @@ class Rings:
         return np.where(self.permeability > 0.0, 1.0, 0.0)
 
 
-def porosity_of(rock, radii, depths):
-    """(mean porosity, part of the volume that is rock) of cells, from the parts of particles that lie in them."""
-    bulk, pores = (np.zeros((len(depths) - 1, len(radii) - 1)) for _ in range(2))
+def in_cells(rock, radii, depths, *amounts, by_depth=False):
+    """Sums over cells of amounts that particles carry, from the parts of particles that lie in them.
+
+    @param by_depth  particles in the order of their depth, of which a chunk touches few rows: faster, with other last digits
+    """
+    sums = [np.zeros((len(depths) - 1, len(radii) - 1)) for _ in amounts]
+    order = np.argsort(rock.depth, kind="stable") if by_depth else np.arange(len(rock))
     for first in range(0, len(rock), CHUNK):
-        some = slice(first, first + CHUNK)
+        some = order[first : first + CHUNK]
         high = shares(rock.depth[some], rock.half_height[some], depths)
         wide = shares(rock.r[some], rock.half_width[some], radii)
-        bulk += (high * rock.bulk[some, None]).T @ wide
-        pores += (high * (rock.bulk * rock.porosity)[some, None]).T @ wide
+        met = np.flatnonzero(high.any(axis=0)) if by_depth else ()
+        rows = slice(met[0], met[-1] + 1) if len(met) else slice(None)
+        for total, amount in zip(sums, amounts):
+            total[rows] += (high[:, rows] * amount[some, None]).T @ wide
+    return sums
+
+
+def porosity_of(rock, radii, depths):
+    """(mean porosity, part of the volume that is rock) of cells."""
+    bulk, pores = in_cells(rock, radii, depths, rock.bulk, rock.bulk * rock.porosity)
     volume = np.diff(depths)[:, None] * 0.5 * (radii[1:] ** 2 - radii[:-1] ** 2)
     with np.errstate(invalid="ignore", divide="ignore"):
         return pores / bulk, bulk / volume
 
 
+def with_neighbours(cells):
+    """Cells and those that share a face with one."""
+    wider = cells.copy()
+    wider[1:] |= cells[:-1]
+    wider[:-1] |= cells[1:]
+    wider[:, 1:] |= cells[:, :-1]
+    wider[:, :-1] |= cells[:, 1:]
+    return wider
+
+
 def with_voids(hole, empty):
     """The hole with all cells without rock that it leads to."""
     while True:
-        wider = hole.copy()
-        wider[1:] |= hole[:-1]
-        wider[:-1] |= hole[1:]
-        wider[:, 1:] |= hole[:, :-1]
-        wider[:, :-1] |= hole[:, 1:]
-        wider &= hole | empty
+        wider = with_neighbours(hole) & (hole | empty)
         if (wider == hole).all():
             return hole
         hole = wider
@@ -89,10 +122,8 @@ def rings_of(run, time, cell=None):
     in_hole = with_voids(in_hole, ~there)
     permeability = np.where(there, np.maximum(relative_permeability(np.where(there, porosity, rock.virgin), rock.virgin),
         LEAST_PERMEABILITY), 0.0)  # fmt: skip
-    length = min(hole.length, rear) - top
-    area = float(np.sum(np.pi * wall**2) * (depths[1] - depths[0]))
     if not in_hole.any():
         raise Fault(f"the hole of {run.folder} is thinner than the cells of {1e3 * size:.3g} mm, so nothing flows into it; give a smaller "
             "--cell.")
     porosity = np.where(there, porosity, np.nan)
-    return Rings(radii, depths, porosity, permeability, in_hole, rock.virgin, float(np.sqrt(area / np.pi / length)))
+    return Rings(radii, depths, porosity, permeability, in_hole, rock.virgin, wall, min(hole.length, rear) - top, rock)

@@ -75,6 +75,7 @@ class Rock:
         # Debris lies in pieces: what is between them is no pore.
         ratio = np.maximum(np.nan_to_num(frame.of_alive(["volume_ratio"])[of][keep], nan=1.0), 1.0)
         self.porosity, self.bulk = porosity[keep], bulk / ratio
+        self.of, self.volume = of[keep], bulk  # particle of each shape; volume with what is between pieces, over 2 pi if axisymmetric
 
     def __len__(self):
         return len(self.r)

@@ -9,6 +9,8 @@ from barreno.runs.units import UNITS
 
 LENGTH_UNITS = UNITS["length"]
 TIME_UNITS = {**UNITS["time"], "": 1.0}
+PRESSURE_UNITS = UNITS["stress"]
+GRADIENT_UNITS = {f"{stress}/{length}": per / along for stress, per in UNITS["stress"].items() for length, along in UNITS["length"].items()}
 
 
 class Words(argparse.ArgumentParser):
