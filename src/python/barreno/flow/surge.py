@@ -71,8 +71,8 @@ def check_pressure(run, rings, pressure):
     start = Rock(frame, run.deck, 0.0)
     highest = float(np.nan_to_num(frame.of_alive(["pore_pressure"])[start.of]).max(initial=0.0))
     if 0.0 < highest < pressure:
-        raise Fault(f"--surge of {1e-6 * pressure:.4g} MPa is more than the pore pressure of {run.folder} at its start, {1e-6 * highest:.4g} "
-            "MPa: the pressure in the hole would be below zero; give a lower one.")
+        raise Fault(f"--surge of {1e-6 * pressure:.4g} MPa is more than the pore pressure of {run.folder} at its start, "
+            f"{1e-6 * highest:.4g} MPa: the pressure in the hole would be below zero; give a lower one.")
 
 
 def gradient_of(rings, flow):
@@ -131,8 +131,8 @@ def cleaned(folder, boundary, pressure, limit, time=None, cell=None, ranks=1):
         loose, masses, measure, any_loose = debris_of(run.frame(time), run.deck, rings)
         check_pressure(run, rings, pressure)
     if pressure > 0.0 and not any_loose:
-        raise Fault(f"no rock of {folder} has lost its cohesion: its card has no damage, and none has dilated, so no surge removes any; leave "
-            "--surge out, or run the deck with a card that has damage, as berea_sandstone_damage.")
+        raise Fault(f"no rock of {folder} has lost its cohesion: its card has no damage, and none has dilated, so no surge removes any; "
+            "leave --surge out, or run the deck with a card that has damage, as berea_sandstone_damage.")
     shot = solve(rings, rings.permeability, boundary, ranks)
     before = Inflow(rings, shot, solve(rings, rings.virgin_mobility, boundary, ranks))
     mass, passes, steepest = 0.0, 0, pressure * float(np.where(loose, gradient_of(rings, shot), 0.0).max(initial=0.0))

@@ -29,9 +29,9 @@ def numbers_of_surge(cleaning):
     first = cleaning.before.rings
     at = first.depths[0] + first.hole_length * np.array(PARTS)
     before, after = (numbers_of(one, at) for one in (cleaning.before, cleaning.after))
-    return {"pressure": cleaning.pressure, "limit": cleaning.limit, "steepest_gradient": cleaning.steepest, "lost_cohesion": cleaning.measure,
-        "removed_mass": cleaning.mass, "passes": cleaning.passes, "flow_ratio": after["shape_factor"] / before["shape_factor"],
-        "before": before, "after": after}
+    return {"pressure": cleaning.pressure, "limit": cleaning.limit, "steepest_gradient": cleaning.steepest,
+        "lost_cohesion": cleaning.measure, "removed_mass": cleaning.mass, "passes": cleaning.passes,
+        "flow_ratio": after["shape_factor"] / before["shape_factor"], "before": before, "after": after}
 
 
 def rows_of(numbers):
@@ -47,10 +47,10 @@ def rows_of(numbers):
 
 def lines_of_surge(cleaning):
     numbers = numbers_of_surge(cleaning)
-    yield (f"surge of {1e-6 * cleaning.pressure:.4g} MPa: {1e3 * cleaning.mass:.3g} g of rock without cohesion removed; the flow at the same "
-        f"pressure drop is {numbers['flow_ratio']:.3f} times that before")
+    yield (f"surge of {1e-6 * cleaning.pressure:.4g} MPa: {1e3 * cleaning.mass:.3g} g of rock without cohesion removed; the flow at the "
+        f"same pressure drop is {numbers['flow_ratio']:.3f} times that before")
     yield from aligned(list(rows_of(numbers)))
-    yield (f"Rock without cohesion: {cleaning.measure}. It goes from the wall where the gradient exceeds {1e-9 * cleaning.limit:.4g} MPa/mm "
-        f"(a limit that is assumed, docs/flow.md); the steepest before was {1e-9 * cleaning.steepest:.4g} MPa/mm.")
+    yield (f"Rock without cohesion: {cleaning.measure}. It goes from the wall where the gradient exceeds {1e-9 * cleaning.limit:.4g} "
+        f"MPa/mm (a limit that is assumed, docs/flow.md); the steepest before was {1e-9 * cleaning.steepest:.4g} MPa/mm.")
     yield ""
     yield "After the surge:"
