@@ -126,7 +126,8 @@ void read_sums(const SharedFile& file, State& state) {
   state.step_limits = step_limits_of(file.read<double>("ledger/step_limits"));
   state.stable_step = file.read<double>("run/stable_step").at(0);
   const auto of_sets = file.read<double>("ledger/stable_steps");
-  for (std::size_t s = 0; s < of_sets.size(); ++s) state.particles[s].stable_step = of_sets[s];
+  for (std::size_t s = 0; s < of_sets.size(); ++s)
+    if (of_sets[s] > 0.0) state.particles[s].stable_step = of_sets[s];  // 0: it allows any step
 }
 
 }  // namespace

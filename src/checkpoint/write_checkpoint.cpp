@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <barreno/input/units.hpp>
+#include <cmath>
 #include <fcntl.h>
 #include <memory>
 #include <sys/resource.h>
@@ -131,6 +132,13 @@ std::vector<ReproducibleSum> impulses_of(const State& state) {
   return impulses;
 }
 
+/// Stable steps of all particles and of each set, without the first; 0: a set allows any step.
+std::vector<double> steps_of_sets(const std::vector<double>& stable) {
+  std::vector<double> steps(stable.begin() + 1, stable.end());
+  for (double& step : steps) step = std::isfinite(step) ? step : 0.0;
+  return steps;
+}
+
 void write_sums(
     const Comm& comm, const State& state, RootWork& work, std::unique_ptr<Hdf5File>& file
 ) {
@@ -150,8 +158,7 @@ void write_sums(
     file->write("ledger/step_shares", one_column(shares), "");
     file->write("ledger/step_limits", one_column(values_of(state.step_limits)), "");
     file->write("run/stable_step", one_column(std::vector<double>{stable[0]}), "s");
-    stable.erase(stable.begin());
-    file->write("ledger/stable_steps", one_column(stable), "s");
+    file->write("ledger/stable_steps", one_column(steps_of_sets(stable)), "s");
   });
 }
 

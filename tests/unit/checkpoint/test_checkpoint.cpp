@@ -44,9 +44,11 @@ std::vector<double> sums_of(const State& state) {
   std::vector<double> steps{state.particle_steps, state.skipped_steps};
   sum_over_ranks(comm, steps);
   // A rank's own until the next step takes the least of all.
-  std::array<double, 1> stable{state.stable_step};
+  std::vector<double> stable{state.stable_step};
+  for (const Particles& particles : state.particles) stable.push_back(particles.stable_step);
   min_over_ranks(comm, stable);
-  std::vector<double> numbers{steps[0], steps[1], stable[0]};
+  std::vector<double> numbers{steps[0], steps[1]};
+  numbers.insert(numbers.end(), stable.begin(), stable.end());
   const std::vector<double> limits = values_of(state.step_limits);
   numbers.insert(numbers.end(), limits.begin(), limits.end());
   for (ReproducibleSum& term : terms) {
