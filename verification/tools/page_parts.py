@@ -15,6 +15,7 @@ from performance import many_ranks
 from tools import measured_tables
 from performance import off_costs
 from tools import paper_parts
+from tools import range_effects_table
 from tools import rock_cards_table
 import predictions
 from performance import scaling
@@ -68,6 +69,7 @@ PARTS = {
     "many_ranks.py": many_ranks.stored_part,
     "off_costs.py": off_costs.stored_part,
     "pore_cost": pore_cost,
+    "range_effects": range_effects_table.lines,
     "rock_cards": rock_cards_table.lines,
     "scaling.py": scaling.stored_part,
     "scaling_model.py": scaling_model.stored_part,
