@@ -6,9 +6,6 @@
 
 Runs of perforation_120us.xml to 90 us on one core; the smallest cells take minutes. Nothing else should run.
 """
-import argparse
-import json
-import pathlib
 import sys
 
 import numpy as np
@@ -16,7 +13,7 @@ import numpy as np
 from tools import foreign_python  # noqa: F401
 from tools.error_seconds_table import ROWS, STORED, TIMES
 from tools.runs import run_deck
-from tools.write_pages import write_pages
+from tools.stored_rows import measure_rows
 
 DECK = "perforation_120us.xml"
 
@@ -30,22 +27,5 @@ def measured(barreno, entries):
         "cpu_seconds": summary["cpu_seconds"]}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("barreno", type=pathlib.Path)
-    parser.add_argument("rows", nargs="*", metavar="ROW")
-    options = parser.parse_args()
-    unknown = [row for row in options.rows if row not in ROWS]
-    if unknown:
-        parser.error(f"there is no row '{unknown[0]}'; there are {', '.join(ROWS)}")
-    for row in options.rows or ROWS:
-        one = measured(options.barreno.resolve(), ROWS[row])
-        print(row, one, flush=True)
-        found = json.loads(STORED.read_text()) if STORED.exists() else {}
-        STORED.write_text(json.dumps({name: {**found, row: one}[name] for name in ROWS if name in {**found, row: one}}, indent=1) + "\n")
-    write_pages()
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(measure_rows(__doc__, ROWS, STORED, measured))
