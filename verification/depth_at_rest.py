@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 from tools import foreign_python  # noqa: F401
-from tools.depth_at_rest_table import TIMES
+from tools.depth_at_rest_runs import TIMES
 from tools.penetration import between_particles_and_grid
 from tools.runs import DECKS, run_deck, scratch_folder
 from tools.write_pages import write_pages

@@ -4,8 +4,8 @@
 
     slug_ways.py BARRENO [RUN ...]    all, or those: verification/results/slug_ways.json, a picture, and docs/trade.md
 
-A run is CELLS/PARTICLES, as 1.8/2: cells in the radius of the jet's tip, and particles of the jet in a cell, along each direction. The deck
-is perforation.xml, to 205 us. Two to ten minutes of one core each.
+A run is CELLS/PARTICLES, as 1.8/2 or 1.8/2+4: cells in the radius of the jet's tip, particles of the jet in a cell, along each direction,
+and how often each may be divided in two. The deck is perforation.xml, to 205 us. Two to ten minutes of one core each.
 """
 import argparse
 import json
@@ -21,7 +21,7 @@ from tools.write_pages import write_pages
 
 HERE = pathlib.Path(__file__).resolve().parent
 STORED = HERE / "results" / "slug_ways.json"
-RUNS = {f"{cells:g}/{particles}": (cells, particles) for cells, particles in ((1.8, 2), (2.4, 2), (1.8, 8))}
+RUNS = {"1.8/2": (1.8, 2, 0), "2.4/2": (2.4, 2, 0), "1.8/8": (1.8, 8, 0), "1.8/2+4": (1.8, 2, 4)}  # cells, particles, divisions
 TIP, LAUNCH = 1e-3, -5e-3  # the tip's radius, and the launch plane [m]
 
 
@@ -46,11 +46,12 @@ def slugs_of_particles(table, cell, particles):
     return np.array(rows).T
 
 
-def ways(finished, cells, particles):
+def ways(finished, cells, particles, splits):
     """{time [us]: rows of place [mm], core, rim, number of particles in the core}, medians."""
     import numpy as np
 
-    velocity, launched, across = slugs_of_particles(jet_table(), TIP / cells, particles)
+    # Files keep a place for all parts of a particle, one after the other.
+    velocity, launched, across = (np.repeat(of, 2**splits) for of in slugs_of_particles(jet_table(), TIP / cells, particles))
     if finished.count_of_block(1) != len(velocity):
         raise RuntimeError(f"the jet has {finished.count_of_block(1)} particles, not {len(velocity)}: slugs are cut in another way")
     times, found = finished.times(), {}
@@ -68,12 +69,12 @@ def ways(finished, cells, particles):
     return found
 
 
-def measure(barreno, cells, particles):
+def measure(barreno, cells, particles, splits):
     settings = {
-        "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles), "Jet/Splits": "0",
+        "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles), "Jet/Splits": str(splits),
         "Output/Field Interval": "40 us", "Time/End Time": "205 us",
     }  # fmt: skip
-    return ways(run_deck(barreno, "perforation.xml", settings), cells, particles)
+    return ways(run_deck(barreno, "perforation.xml", settings), cells, particles, splits)
 
 
 def draw(found):
@@ -84,11 +85,11 @@ def draw(found):
 
     figure, axes = plt.subplots(figsize=(7.0, 3.6))
     for k, (name, times) in enumerate(found.items()):
-        cells, particles = RUNS[name]
+        cells, _, particles = name.partition("/")
         rows = times[str(TIMES[-1])]
         middle = [0.5 * (low + high) for low, high, *_ in rows]
-        axes.plot(middle, [row[2] for row in rows], f"C{k}o-", label=f"core, {cells:g} cells per radius, {particles} particles per cell")
-        axes.plot(middle, [row[3] for row in rows], f"C{k}s--", label=f"rim, {cells:g}, {particles}")
+        axes.plot(middle, [row[2] for row in rows], f"C{k}o-", label=f"core, {cells} cells per radius, {particles} particles per cell")
+        axes.plot(middle, [row[3] for row in rows], f"C{k}s--", label=f"rim, {cells}, {particles}")
     axes.set(xlabel="place that free flight would have brought the slug to [mm]", ylabel="velocity over launch velocity", ylim=(0.0, 1.05))
     axes.legend(fontsize=7)
     axes.grid(alpha=0.3)

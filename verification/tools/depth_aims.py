@@ -4,6 +4,7 @@ import json
 
 from tools.case_list import RESULTS, stored
 from tools.demands import judge_all, open_demands
+from tools.rest_aims import rows as rows_at_rest
 from tools.uniform_cells import depths, doubt
 
 VERIFY = "verification/verify.py BARRENO --full"
@@ -26,6 +27,8 @@ CASES = {
     ("pressure: difference to neighbours, relative", "steel around the hole"): ("casing_pressure", "difference to the neighbours"),
     ("energy lost, over energy put in", "to 12 us, Return Losses, cells of 1 mm"): ("returned_losses",
         "Return Losses: energy lost by 12 us"),
+    ("velocity lost", "a slug in a channel of 2.3 radii, 2.4 cells per radius, 200 radii long"): ("slug_flight", "rock: velocity lost"),
+    ("energy lost", "the same slug"): ("slug_flight", "rock: energy lost"),
 }
 OTHERS = ("ledger remainder", "energy balance", "axial momentum")  # of these cases, requirements of another kind
 
@@ -116,4 +119,4 @@ def section():
     lines += [row(aim, condition, bar, bound, "held by a test", f"`{command}`") for aim, condition, bar, bound, command in TESTS]
     runs = json.loads((RESULTS / "depth_runs.json").read_text())
     lines += [reference_row(runs["reference"]), rod_row(runs["rod"]), refined_ranks_row(runs["ranks"])]
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, *rows_at_rest()]) + "\n"

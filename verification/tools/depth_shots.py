@@ -30,6 +30,10 @@ def scaled_table(velocity=1.0, radius=1.0):
 
 
 ROCK = "Materials/Sandstone/Card"
+KINDS = {"Jet/Kind"}  # entries of whose changes the program knows no error
+CONTINUOUS = {"Jet/Kind": "continuous", "Step/Largest Expansion": "40"}
+# Pores full of water without pressure, undrained.
+WET = {"Materials/Sandstone/fluid_B0": "2.25 GPa", "Bodies/Rock/Pore Pressure": "0 Pa", "Materials/Sandstone/Density": "2320 kg/m3"}
 SHOTS = {  # what differs from the deck: settings, and factors of the jet's velocity and radius
     "the deck": ({}, {}),
     "the deck, to 560 us": ({"Time/End Time": "560 us"}, {}),
@@ -45,6 +49,10 @@ SHOTS = {  # what differs from the deck: settings, and factors of the jet's velo
     "jet thinner by a fifth": ({}, {"radius": 0.8}),
     "jet faster by a tenth, no confinement": ({"Confinement": ""}, {"velocity": 1.1}),
     "jet slower by a seventh, 138 MPa": ({"Confinement/Pressure": "138 MPa"}, {"velocity": 6.0 / 7.0}),
+    "losses returned to metals": ({"Step/Return Losses": "true"}, {}),
+    "continuous jet": (CONTINUOUS, {}),
+    "continuous jet, wet rock": ({**CONTINUOUS, **WET}, {}),
+    "thinned jet": ({"Jet/Kind": "thinned"}, {}),
 }
 
 

@@ -5,7 +5,7 @@ import json
 import statistics
 
 from tools.case_list import RESULTS
-from tools.depth_shots import SHOTS, STEP, TIMES, widest_slug
+from tools.depth_shots import KINDS, SHOTS, STEP, TIMES, widest_slug
 
 DECK = "the deck"
 MADE_FROM = (DECK, "no confinement")  # shots that the intervals are made from; others try them
@@ -150,12 +150,21 @@ def scatter_table():
 
 
 LATER = "the deck, to 560 us"
-HEAD = """How wide the hole must be decides whether its depth is known. The thread is thinner than the jet. Where the hole is as wide as the
-widest slug, its depth hardly grows after {rest} us ({grown}), and it hardly follows the cells. It narrows slowly there, and necks come and
-go: one of a few millimetres decided between depths of 473 and 570 mm. So `probed_depth` (depth.csv, summary.json and the screen) passes
-necks of up to five diameters of that slug, where the hole is as wide on either side. Shots with divided particles at that time
-(`verification/depth_shots.py BARRENO`; the depth, how far the hole is as wide as the jet, from its radii every {step:g} mm, and its volume;
-the interval is that of the program, made from {made}):
+HEAD = """## Depth at rest
+
+The hole of `input_xml/perforation.xml` at {rest} us, by the size of the cells: its tip, how far it is as wide as the widest slug of the jet,
+and its volume (`verification/depth_shots.py BARRENO "the deck" --cells N`; means where several runs are there):
+"""
+WORTH = """![Radius of the hole against depth, with several sizes of cells](pictures/hole_of_cells.png)
+
+What this is worth:
+
+- *The hole as wide as the jet, and its volume, are known.* They hardly follow the cells, and hardly grow after {rest} us ({grown}). The hole
+  narrows slowly where it ends, and necks come and go: one of a few millimetres decided between depths of 473 and 570 mm. So `probed_depth`
+  (depth.csv, summary.json and the screen) passes necks of up to five diameters of that slug, where the hole is as wide on either side.
+- *The tip is that of a thread* of spent metal, thinner than the jet. To {rest} us its depth is known to the interval below. After that it
+  grows for long, the more the smaller the cells, and is not known.
+- *Single runs scatter*, because each slug meets what the one before has left (below).
 """
 
 
@@ -164,44 +173,72 @@ def listed(words):
     return f"{', '.join(first)} and {last}"
 
 
+def deck_table():
+    """The deck with each size of cells."""
+    runs, several = shots()[DECK], repeats()
+    head = ("cells per radius of the tip", "runs", "tip [mm]", "as wide as the jet [mm]", "volume [cm3]", "lost by the method", "steps",
+        "processor time of one [s]")  # fmt: skip
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    for cells, one in sorted(runs.items()):
+        number = len(several.get(cells, [one]))
+        values = [f"{factor * mean_at(cells, one, what, REST):.{digits}f}" for what, (_, factor, digits) in UNITS.items()]
+        more = [f"{100 * one['lost']:.1f} %", str(one["steps"]), f"{one['cpu_seconds']:.0f}"]
+        lines.append(f"| {cells:g} | {number} | " + " | ".join(values + more) + " |")
+    return lines
+
+
 def converged():
-    """What smaller cells do to the hole of the deck, in words."""
+    """What the last smaller cells do to the hole of the deck, in words."""
     runs = shots()[DECK]
-    sizes = sorted(runs)
-    wide = [1e3 * mean_at(cells, runs[cells], "probed depth", REST) for cells in sizes]
-    volumes = [1e6 * statistics.mean(one["channel_volume"] for one in repeats().get(cells, [runs[cells]])) for cells in sizes]
-    by = [100.0 * (all_of[-1] / all_of[-2] - 1.0) for all_of in (wide, volumes)]
-    return (f"With {listed([f'{cells:g}' for cells in sizes])} cells per radius the hole is as wide as the jet to "
-        f"{listed([f'{one:.0f}' for one in wide])} mm, and its volume is {listed([f'{one:.1f}' for one in volumes])} cm3 (means where "
-        f"several runs are there): with the last step the depth changes by {by[0]:+.1f} %, the volume by {by[1]:+.1f} %.")  # fmt: skip
+    *_, before, last = sorted(runs)
+    by = {what: 100.0 * (mean_at(last, runs[last], what, REST) / mean_at(before, runs[before], what, REST) - 1.0) for what in WHAT}
+    words = listed([f"{WORDS[what]}{' changes' if what == WHAT[0] else ''} by {by[what]:+.1f} %" for what in WHAT])
+    return f"From {before:g} to {last:g} cells per radius {words}. Changes of the size of the scatter show no order of convergence."
 
 
-def head():
+def answer():
     found = shots()
     ends = {cells: [1e3 * found[shot][cells]["wide_depth"] for shot in (DECK, LATER)] for cells in sorted(found[LATER])}
     grown = [f"{then:.0f} mm then and {later:.0f} mm at 560 us with {cells:g} cells per radius" for cells, (then, later) in ends.items()]
-    return HEAD.format(rest=REST, grown=", ".join(grown), step=STEP, made=" and ".join(MADE_FROM))
+    worth = WORTH.format(rest=REST, grown=", ".join(grown))
+    return "\n".join([HEAD.format(rest=REST), *deck_table(), "", converged(), "", worth])
 
 
-PICTURE = """![Radius of the hole against depth, with several sizes of cells](pictures/hole_of_cells.png)
+TRIALS = """### Other shots, and whether the intervals hold
 
-The hole hardly follows the cells down to where it is as narrow as the jet (the deck at the same time); the thread behind it does.
+Shots with divided particles at {rest} us, those of slower or faster jets as much later or earlier (`verification/depth_shots.py BARRENO`):
+what some cells give, the interval that the program gives with it, and what the smallest cells of that shot give. The intervals are made
+from {made}; all other shots try them.
 """
 
 
 def is_like(shot):
     """Whether the program takes the jet of a shot for that of the deck; of others it says that their error is unknown."""
-    return all(1.0 / LIKE <= factor <= LIKE * (1.0 + 1e-9) for factor in SHOTS[shot][1].values())
+    entries, factors = SHOTS[shot]
+    return not KINDS & set(entries) and all(1.0 / LIKE <= factor <= LIKE * (1.0 + 1e-9) for factor in factors.values())
+
+
+def verdict(shot, held):
+    missed = [WORDS[what] for what in WHAT if not held[what]]
+    words = "not " + (listed(missed) if len(missed) > 1 else missed[0]) if missed else "yes"
+    return words if is_like(shot) else f"another jet: unknown; it would{'' if not missed else ' ' + words}"
 
 
 def table():
-    head = ("shot", "cells per radius", "what", "unit", "found", "interval", "with smaller cells", "their cells per radius", "held")
+    head = ("shot", "cells per radius", *(f"{WORDS[what]} [{UNITS[what][0]}]" for what in WHAT), "smallest cells", "holds")
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    for shot, cells, finest, what, depth, (low, high), truth, held in trials():
-        unit, factor, digits = UNITS[what]
-        found, low, high, truth = (f"{factor * one:.{digits}f}" for one in (depth, low, high, truth))
-        verdict = ("yes" if held else "no") if is_like(shot) else f"another jet: unknown; it would {'' if held else 'not '}hold"
-        lines.append(f"| {shot} | {cells:g} | {WORDS[what]} | {unit} | {found} | {low} to {high} | {truth} | {finest:g} | {verdict} |")
+    rows = {}
+    for one in trials():
+        rows.setdefault(one[:3], {})[one[3]] = one[4:]
+    for (shot, cells, finest), found in rows.items():
+        texts = []
+        for what in WHAT:
+            depth, (low, high), truth, _ = found[what]
+            _, factor, digits = UNITS[what]
+            depth, low, high, truth = (f"{factor * one:.{digits}f}" for one in (depth, low, high, truth))
+            texts.append(f"{depth}, {low} to {high}, {truth}")
+        held = {what: found[what][-1] for what in WHAT}
+        lines.append(f"| {shot} | {cells:g} | " + " | ".join(texts) + f" | {finest:g} | {verdict(shot, held)} |")
     return lines
 
 
@@ -214,5 +251,6 @@ def summary():
             yield f"Of {len(all_of)} intervals of {WORDS[what]} in shots that they were not made from, {held} hold what smaller cells give."
 
 
-def section():
-    return "\n".join([head(), *table(), "", *summary(), "", *scatter_table(), "", converged(), "", PICTURE])
+def trials_section():
+    head = TRIALS.format(rest=REST, made=listed(MADE_FROM))
+    return "\n".join([head, *table(), "", *summary(), "", "### Scatter", "", *scatter_table(), ""])

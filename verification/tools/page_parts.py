@@ -6,6 +6,7 @@ from performance import checkpoint_cost
 from tools import cement_table
 from tools import converge_parts
 from tools import deck_table
+from tools import depth_at_rest_runs
 from tools import extremes_page
 from performance import feature_cost
 from tools import figures_page
@@ -90,6 +91,7 @@ def whole_pages():
     return {
         "verification/results/extremes.md": extremes_page.stored_page(),
         "verification/results/trade_runs.md": trade_page.runs_page(trade),
+        "verification/results/depth_at_rest_runs.md": depth_at_rest_runs.page(),
         "docs/trade.md": trade_page.page_of(trade),
         "docs/cost.md": predictions.stored_page(),
         "docs/materials/arenisca_cost.md": solver_cost.stored_page(),
