@@ -41,8 +41,10 @@ struct Choices {
   /// The same of metal that breaks, whose late slugs pile up (docs/trade.md, Depth at rest), ...
   double breaking_cells_per_radius = 0.0;
   int breaking_splits = 4;  ///< ... and how often its particles are divided
-  int path_per_cell = 1;    ///< of bodies, per direction, where it refines the path
-  int jet_subcycles = 4;    ///< of decks with a jet
+  /// Metal that breaks loses most to the grid where it is torn at the bottom of the hole.
+  bool breaking_returns_losses = true;
+  int path_per_cell = 1;  ///< of bodies, per direction, where it refines the path
+  int jet_subcycles = 4;  ///< of decks with a jet
   /// Of decks with a jet. A particle of debris that runs into single others is strained so much in
   /// one step that it explodes: a kilojoule and more that nobody has put in (docs/method.md 4).
   double jet_largest_strain = 0.1;
@@ -58,6 +60,7 @@ constexpr Choices fast() {
   choices.errors = "6 %, 3 %";
   choices.jet_cells_per_radius = 1.8;
   choices.breaking_cells_per_radius = 1.2;
+  choices.breaking_returns_losses = false;
   return choices;
 }
 
@@ -110,6 +113,17 @@ Teuchos::ParameterList value_of(
   return list;
 }
 
+/// Whether two texts say the same of an entry: "0.80" and "0.8", "5 us" and "5e-06 s".
+bool same(
+    const input::Entry& entry,
+    const std::string& a,
+    const std::string& b,
+    const input::UnitSystem& units
+) {
+  const Teuchos::ParameterList first = value_of(entry, a, units);
+  return a == b || (first.numParams() > 0 && first == value_of(entry, b, units));
+}
+
 /// The deck's End Time, or of a run to rest its Longest Time; nothing where they are missing or no
 /// times, which is refused elsewhere.
 std::optional<double> end_time(const XMLObject& root, const input::UnitSystem& units) {
@@ -123,6 +137,27 @@ std::optional<double> end_time(const XMLObject& root, const input::UnitSystem& u
     if (list.isType<double>(entry.name)) return list.get<double>(entry.name);
   }
   return {};
+}
+
+/// Whether a list says nothing of an entry, or what it would be anyway.
+template <class Spec, class T>
+bool has_default(const XMLObject& list, T Spec::*member, const input::UnitSystem& units) {
+  const input::Entry& entry = row_of<Spec>(member).entry;
+  const auto said = input::find_text(list, entry.name);
+  return !said || same(entry, *said, DeckValue<T>::text(Spec{}.*member), units);
+}
+
+/// Whether a step can return what it loses (check_returned_losses) on a grid where that was
+/// verified with steps of several lengths.
+bool can_return_losses(
+    const XMLObject& root, const XMLObject& step, const input::UnitSystem& units
+) {
+  const auto grid = input::find_list(root, table_of<GridSpec>().path);
+  const auto mode = grid ? input::find_text(*grid, name_of(&GridSpec::mode)) : std::nullopt;
+  return mode != word_of(Mode::three_dimensional) &&
+         has_default(step, &StepSpec::transfer, units) &&
+         has_default(step, &StepSpec::pic_fraction, units) &&
+         has_default(step, &StepSpec::order, units) && has_default(step, &StepSpec::damping, units);
 }
 
 bool gives_cell_size(const XMLObject& root) {
@@ -152,18 +187,11 @@ std::string other_cells_text(const Choices& choices) {
   return " (" +
          (given ? choice_text(choices.given_cells) + " where Grid/Cell Size is given, " : "") +
          choice_text(choices.breaking_cells_per_radius) + " with " + name_of(&JetSpec::splits) +
-         " " + choice_text(choices.breaking_splits) + " where the jet's metal breaks)";
-}
-
-/// Whether two texts say the same of an entry: "0.80" and "0.8", "5 us" and "5e-06 s".
-bool same(
-    const input::Entry& entry,
-    const std::string& a,
-    const std::string& b,
-    const input::UnitSystem& units
-) {
-  const Teuchos::ParameterList first = value_of(entry, a, units);
-  return a == b || (first.numParams() > 0 && first == value_of(entry, b, units));
+         " " + choice_text(choices.breaking_splits) +
+         (choices.breaking_returns_losses
+              ? " and, in two dimensions, " + name_of(&StepSpec::return_losses)
+              : std::string()) +
+         " where the jet's metal breaks)";
 }
 
 }  // namespace
@@ -266,7 +294,10 @@ void Fidelity::choose_for_deck(const XMLObject& root, bool jet_breaks) {
   };
   const std::string step = table_of<StepSpec>().path, output = table_of<OutputSpec>().path;
   const auto jet_list = input::find_list(root, table_of<JetSpec>().path);
-  choose_for_step(add_list(step), step, jet_list.has_value());
+  const XMLObject step_list = add_list(step);
+  choose_for_step(step_list, step, jet_list.has_value());
+  if (jet_list && jet_breaks && can_return_losses(root, step_list, units_))
+    choose(step_list, step, &StepSpec::return_losses, choices->breaking_returns_losses);
   if (jet_list) choose_for_jet(*jet_list, gives_cell_size(root), jet_breaks);
   const bool refines = chosen_paths_.count(path_of(&JetSpec::cells_per_radius)) > 0;
   if (const auto bodies = input::find_list(root, table_of<BodySpec>().path))

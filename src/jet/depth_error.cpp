@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jet/depth_error.hpp"
 
+#include "jet/divided_error.hpp"
 #include "jet/failure.hpp"
 #include "jet/path.hpp"
 
@@ -224,7 +225,8 @@ std::string why_method_unknown(const Scene& scene) {
     return "it was measured with Shape Function " + StepSpec{}.shape + " only";
   if (step.order != Order::stress_last)
     return "it was measured with Order " + word_of(Order::stress_last) + " only";
-  if (step.return_losses) return "it was measured without Return Losses only";
+  // Of divided particles it was measured with and without (verification/results/depth_shots.json).
+  if (step.return_losses && !is_divided(scene)) return "it was measured without Return Losses only";
   for (const ContactSpec& contact : scene.contacts)
     if (contact.materials[0] == scene.jet.material || contact.materials[1] == scene.jet.material)
       return "it was measured without contact of the jet only";

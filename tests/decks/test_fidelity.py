@@ -37,14 +37,24 @@ def check_every_deck(folder):
 
 
 def check_metal_that_breaks():
-    """A jet of metal that breaks gets fewer cells, and particles that are divided; a deck that takes its strength away does not."""
+    """A jet of metal that breaks gets fewer cells, particles that are divided and, but for fast, what each step loses; a deck that takes
+    its strength away does not."""
     deck, sound = DECKS / "perforation.xml", ("Spall Stress=0", "Thermal Spall=off", *(f"D{i}=0" for i in range(1, 6)))
     for name, cells, others in (("fast", "1.2", "1.8"), ("balanced", "1.8", "2.4"), ("reference", "2.4", "4")):
         plan = barreno("check", deck, "--fidelity", name)
         assert f"Jet/Splits = 4, Jet/Cells Per Radius = {cells}" in plan, plan
+        assert f"Step/Return Losses = {'false' if name == 'fast' else 'true'}" in plan, plan
         settings = [word for entry in sound for word in ("--set", f"Materials/Tungsten/{entry}")]
         plan = barreno("check", deck, "--fidelity", name, *settings)
-        assert "Jet/Splits" not in plan and f"Jet/Cells Per Radius = {others}" in plan, plan
+        assert "Jet/Splits" not in plan and f"Jet/Cells Per Radius = {others}" in plan and "Step/Return Losses" not in plan, plan
+
+
+def check_losses_that_stay_lost():
+    """Where another word of the deck leaves no way to know them a fidelity does not ask for them."""
+    for entry in ("Transfer=APIC", "Order=modified stress last", "Damping=1", "PIC Fraction=0.1"):
+        words = [word for one in (entry, "Subcycles=1") for word in ("--set", f"Step/{one}")]
+        plan = barreno("check", DECKS / "perforation.xml", "--fidelity", "balanced", *words, "--set", "Jet/Cells Per Radius=1")
+        assert "Step/Return Losses" not in plan, plan
 
 
 def run_again(folder):
@@ -68,6 +78,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         check_every_deck(folder)
         check_metal_that_breaks()
+        check_losses_that_stay_lost()
         run_again(pathlib.Path(folder))
 
 
