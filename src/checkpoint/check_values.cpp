@@ -86,6 +86,7 @@ void check_reproducible_sums(const Hdf5File& file, const std::string& name, std:
 
 void check_sums(const Hdf5File& file, const State& state) {
   check_reproducible_sums(file, "ledger/terms", terms_of(state.ledger).size());
+  check_reproducible_sums(file, "ledger/materials", material_terms_of(state.ledger).size());
   check_reproducible_sums(file, "ledger/reactions", 3 * state.reactions.size());
   const auto check_counts = [&](const std::string& name, std::size_t rows) {
     for_each_value<double>(file, name, rows, [&](std::size_t row, double steps) {

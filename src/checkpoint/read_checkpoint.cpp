@@ -113,6 +113,7 @@ std::vector<ReproducibleSum> root_part(const Comm& comm, const std::vector<long 
 void read_sums(const SharedFile& file, State& state) {
   const Comm& comm = *state.grid.comm;
   put_terms(root_part(comm, file.read<long long>("ledger/terms")), state.ledger);
+  put_material_terms(root_part(comm, file.read<long long>("ledger/materials")), state.ledger);
   const std::vector<ReproducibleSum> impulses =
       root_part(comm, file.read<long long>("ledger/reactions"));
   auto next = impulses.begin();

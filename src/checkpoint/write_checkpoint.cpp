@@ -143,6 +143,7 @@ void write_sums(
     const Comm& comm, const State& state, RootWork& work, std::unique_ptr<Hdf5File>& file
 ) {
   const Hdf5Table<long long> terms = whole_table(comm, terms_of(state.ledger));
+  const Hdf5Table<long long> of_materials = whole_table(comm, material_terms_of(state.ledger));
   const Hdf5Table<long long> impulses = whole_table(comm, impulses_of(state));
   std::vector<double> steps{state.particle_steps, state.skipped_steps};
   sum_over_ranks(comm, steps);
@@ -153,6 +154,7 @@ void write_sums(
   min_over_ranks(comm, stable);
   work.run([&] {
     file->write("ledger/terms", terms);
+    file->write("ledger/materials", of_materials);
     file->write("ledger/reactions", impulses);
     file->write("ledger/particle_steps", one_column(steps), "");
     file->write("ledger/step_shares", one_column(shares), "");

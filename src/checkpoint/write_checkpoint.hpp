@@ -10,7 +10,7 @@
 
 namespace barreno {
 
-inline constexpr int checkpoint_version = 9;
+inline constexpr int checkpoint_version = 10;
 inline constexpr const char* checkpoint_name = "checkpoint.h5";
 inline constexpr const char* checkpoint_temporary_name = "checkpoint.h5.tmp";
 inline constexpr const char* previous_checkpoint_name = "checkpoint_previous.h5";

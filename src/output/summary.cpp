@@ -237,6 +237,20 @@ void put_ledger(Json& json, const Ledger& ledger, const std::string& group) {
   }
 }
 
+/// What of the energies of the balance belongs to which material.
+void put_material_energies(Json& json, const Scene& scene, const Ledger& ledger) {
+  Json& all = json["balances"]["energy"]["materials"] = Json::object();
+  for (std::size_t m = 0; m < ledger.materials.size(); ++m) {
+    const MaterialEnergies& energies = ledger.materials[m];
+    Json& one = all[as_utf8(scene.materials[m].name())];
+    one["prestress"] = number(energies.prestress);
+    one["elastic"] = number(energies.elastic);
+    one["plastic"] = number(energies.plastic);
+    one["viscous"] = number(energies.viscous);
+    one["explosive"] = number(energies.explosive);
+  }
+}
+
 /// The largest numerical errors of the run; `since` is null and `warning` empty where they are
 /// small.
 void put_numerical_energy(Json& json, const RunSummary& summary) {
@@ -412,6 +426,7 @@ std::string summary_text(
   put_zones(json, scene, summary.zones);
   if (summary.rest) put_rest(json, *summary.rest);
   put_ledger(json, totals.ledger, "balances.");
+  put_material_energies(json, scene, totals.ledger);
   put_numerical_energy(json, summary);
   if (scene.jet.present) put_jet(json, scene, state, totals.ledger);
   if (summary.formed_jet) put_formed_jet(json, run.monitor, *summary.formed_jet);

@@ -146,8 +146,9 @@ struct DrainSet {
       particles.darcy_velocity(p, d) = network.flux[i][static_cast<std::size_t>(d)];
     tally.fluid += whole * point.mass_per_volume * change;
     const double volume = particles.volume(p);
-    tally.elastic += volume * outcome.elastic_work;
-    tally.plastic += volume * outcome.plastic_work;
+    DrainTally::Works& works = tally.materials[static_cast<std::size_t>(particles.material)];
+    works.elastic += volume * outcome.elastic_work;
+    works.plastic += volume * outcome.plastic_work;
   }
 };
 
@@ -182,6 +183,7 @@ DrainTally drain_particles(const PorousMedium& medium, double dt, PoreNetwork& n
     set.want(rock, p, i, shares);
   });
   DrainTally tally;
+  tally.materials.resize(medium.particles.size());  // a set for each
   std::size_t next = 0;
   for_each_porous(medium, network, [&](const auto& set, const auto& rock, int p, auto i) {
     set.drain(rock, p, i, shares.points[next++], shares, tally);

@@ -3,11 +3,17 @@
 
 #include "pore_flow/pore_network.hpp"
 
+#include <vector>
+
 namespace barreno {
 
 /// What the drained correction did to this rank's particles.
 struct DrainTally {
-  double elastic = 0.0, plastic = 0.0;     ///< [energy]
+  /// Works on one material [energy].
+  struct Works {
+    double elastic = 0.0, plastic = 0.0;
+  };
+  std::vector<Works> materials;            ///< in the order of Scene::materials
   double fluid_before = 0.0, fluid = 0.0;  ///< in the pores, at the initial density [volume]
   double held = 0.0;                       ///< particles that could not take it and became debris
   double stops = 0.0;                      ///< the same of materials whose policy is to stop

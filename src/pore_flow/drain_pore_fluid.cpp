@@ -212,8 +212,13 @@ std::string drain_pore_fluid(
   std::array<double, 4> sums{moved.inflow, drained.fluid, drained.stops, drained.fluid_before};
   sum_over_ranks(*medium.grid.comm, sums);
   ledger.fluid_work += moved.work;
-  ledger.elastic += drained.elastic;
-  ledger.plastic += drained.plastic;
+  for (std::size_t m = 0; m < drained.materials.size(); ++m) {
+    const auto [elastic, plastic] = drained.materials[m];
+    ledger.elastic += elastic;
+    ledger.plastic += plastic;
+    ledger.materials[m].elastic += elastic;
+    ledger.materials[m].plastic += plastic;
+  }
   ledger.held += drained.held;
   flow.inflow += sums[0];
   // Only the flow changes the fluid of a particle.

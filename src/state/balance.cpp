@@ -24,6 +24,19 @@ static_assert(
     "ledgers are read as arrays of their terms"
 );
 
+/// visit(term) for all energies of all materials.
+template <class AnyLedger, class Visitor>
+void for_each_material_term(AnyLedger& ledger, Visitor&& visit) {
+  for (auto& energies : ledger.materials)
+    for (auto* term :
+         {&energies.prestress,
+          &energies.elastic,
+          &energies.plastic,
+          &energies.viscous,
+          &energies.explosive})
+      visit(*term);
+}
+
 }  // namespace
 
 std::vector<ReproducibleSum> terms_of(const OwnLedger& ledger) {
@@ -38,9 +51,21 @@ void put_terms(const std::vector<ReproducibleSum>& terms, OwnLedger& ledger) {
   std::memcpy(static_cast<void*>(static_cast<OwnTerms*>(&ledger)), terms.data(), sizeof(OwnTerms));
 }
 
+std::vector<ReproducibleSum> material_terms_of(const OwnLedger& ledger) {
+  std::vector<ReproducibleSum> terms;
+  for_each_material_term(ledger, [&](const ReproducibleSum& term) { terms.push_back(term); });
+  return terms;
+}
+
+void put_material_terms(const std::vector<ReproducibleSum>& terms, OwnLedger& ledger) {
+  auto next = terms.begin();
+  for_each_material_term(ledger, [&](ReproducibleSum& term) { term = *next++; });
+}
+
 void carry(OwnLedger& ledger) {
   auto* const terms = reinterpret_cast<ReproducibleSum*>(static_cast<OwnTerms*>(&ledger));
   for (std::size_t i = 0; i < term_count; ++i) terms[i].carry();
+  for_each_material_term(ledger, [](ReproducibleSum& term) { term.carry(); });
 }
 
 Ledger sum_over_ranks(const Comm& comm, const OwnLedger& mine) {
@@ -50,6 +75,11 @@ Ledger sum_over_ranks(const Comm& comm, const OwnLedger& mine) {
   Ledger sum;
   std::memcpy(static_cast<void*>(static_cast<Terms*>(&sum)), values.data(), sizeof(Terms));
   sum.retried_steps = mine.retried_steps;  // every rank counted the same steps
+  std::vector<ReproducibleSum> of_materials = material_terms_of(mine);
+  sum_over_ranks(comm, of_materials);
+  sum.materials.resize(mine.materials.size());
+  auto next = of_materials.begin();
+  for_each_material_term(sum, [&](double& term) { term = *next++; });
   return sum;
 }
 

@@ -15,6 +15,9 @@ Ledger sum_over_ranks(const Comm& comm, const OwnLedger& mine);
 /// Its terms one after the other, as a checkpoint keeps them.
 std::vector<ReproducibleSum> terms_of(const OwnLedger& ledger);
 void put_terms(const std::vector<ReproducibleSum>& terms, OwnLedger& ledger);
+/// Energies of its materials, likewise; as many materials as the ledger has.
+std::vector<ReproducibleSum> material_terms_of(const OwnLedger& ledger);
+void put_material_terms(const std::vector<ReproducibleSum>& terms, OwnLedger& ledger);
 
 /// All causes together.
 RemovalTally total_removed(const Ledger& ledger);

@@ -116,6 +116,7 @@ void put_velocity_gradient(
 
 /// What the rows from `first` on bring into the balances.
 void enter(const Particles& particles, int first, double stored_energy, OwnLedger& ledger) {
+  OwnMaterialEnergies& own = ledger.materials[static_cast<std::size_t>(particles.material)];
   for (int p = first; p < particles.count; ++p) {
     const double m = particles.mass(p);
     const Vector v = vector_of(particles.velocity, p);
@@ -123,6 +124,7 @@ void enter(const Particles& particles, int first, double stored_energy, OwnLedge
     ledger.initial_momentum += m * v[1];
     ledger.initial_kinetic += 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     ledger.prestress += m * stored_energy;
+    own.prestress += m * stored_energy;
     if (p % max_summed_rows == 0) carry(ledger);
   }
 }
@@ -321,6 +323,7 @@ void add_sets(const Scene& scene, State& state) {
   state.fields = velocity_fields(scene);
   state.nodes.resize(static_cast<std::size_t>(state.fields.count));
   state.step_limits = make_step_limits(scene);
+  state.ledger.materials.resize(scene.materials.size());
   state.agreed.reserve(scene.materials.size() + 8);
   for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m) {
     Particles particles = make_particles(scene, m);
@@ -483,6 +486,7 @@ State build_state(
   ledger.momentum = ledger.initial_momentum;
   ledger.kinetic = ledger.initial_kinetic;
   ledger.elastic = ledger.prestress;
+  for (OwnMaterialEnergies& own : ledger.materials) own.elastic = own.prestress;
   return state;
 }
 

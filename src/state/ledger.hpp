@@ -4,6 +4,7 @@
 #include "base/reproducible_sum.hpp"
 
 #include <array>
+#include <vector>
 
 namespace barreno {
 
@@ -60,15 +61,26 @@ struct LedgerTerms {
   Number clipped{};   ///< particles whose domain is cut at Largest Domain, now
 };
 
+/// What of the ledger's terms of these names belongs to one material; the sums over the materials
+/// are those terms. A run that continues another has no prestress here: no particle keeps it.
+template <class Number>
+struct MaterialEnergiesOf {
+  Number prestress{}, elastic{}, plastic{}, viscous{}, explosive{};
+};
+using MaterialEnergies = MaterialEnergiesOf<double>;
+using OwnMaterialEnergies = MaterialEnergiesOf<ReproducibleSum>;
+
 /// Of all ranks.
 struct Ledger : LedgerTerms<double> {
   double retried_steps = 0.0;
+  std::vector<MaterialEnergies> materials;  ///< in the order of Scene::materials
 };
 
 /// This rank's part: whole sums, so that the ledger of all ranks does not depend on who has which
 /// particles.
 struct OwnLedger : LedgerTerms<ReproducibleSum> {
   double retried_steps = 0.0;  ///< the same on every rank
+  std::vector<OwnMaterialEnergies> materials;
 };
 
 /// ReproducibleSum::carry() of all terms.

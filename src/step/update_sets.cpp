@@ -58,6 +58,14 @@ void apply_policy(
     result = {true, set.first_failed, material, result.interrupt, {}};
 }
 
+/// What the update of a set was worth to its material; tally_step carries the sums.
+void enter(const StressTally& set, OwnMaterialEnergies& material) {
+  material.elastic += set.elastic;
+  material.plastic += set.plastic;
+  material.viscous += set.viscous;
+  material.explosive += set.explosive;
+}
+
 /// F and sigma of all sets, after first(rows, particles) of each block.
 template <class First>
 void strain_after(
@@ -81,6 +89,7 @@ void strain_after(
     add(tally_domains(step, material.bad_particles, own_fields, grid, sets[s]), set, clipped);
     sets[s].stable_step = set.stable_step;
     apply_policy(material.bad_particles, sets[s].material, set, ledger, result);
+    enter(set, ledger.materials[static_cast<std::size_t>(sets[s].material)]);
     add(set, tally.stress);
   }
   ledger.clipped = {};

@@ -14,7 +14,7 @@ struct SetUpdate {
   const Grid& grid;  ///< with the step of every tile (set_tile_steps)
   const Dormancy& dormancy;
   std::vector<Particles>& sets;
-  OwnLedger& ledger;  ///< its `held` and `clipped`
+  OwnLedger& ledger;  ///< its `held`, `clipped` and `materials`
   Effort& effort;
   double end;       ///< of the step [time]
   bool own_fields;  ///< contact gives sets velocity fields of their own

@@ -40,6 +40,7 @@ Scene impact() {
 std::vector<double> sums_of(const State& state) {
   const Comm& comm = *state.grid.comm;
   std::vector<ReproducibleSum> terms = terms_of(state.ledger);
+  for (const ReproducibleSum& term : material_terms_of(state.ledger)) terms.push_back(term);
   sum_over_ranks(comm, terms);
   std::vector<double> steps{state.particle_steps, state.skipped_steps};
   sum_over_ranks(comm, steps);

@@ -152,6 +152,22 @@ TEST(Summary, SaysWhichCellsAndStepsTheWorkWentTo) {
   EXPECT_NE(text.find("\"8 parts\": 0.75"), std::string::npos) << text;
 }
 
+TEST(Summary, SaysWhichMaterialHasWhichEnergy) {
+  const Scene scene = synthetic::make_scene();
+  const auto comm = Teuchos::DefaultComm<int>::getComm();
+  const State state = synthetic::make_state(scene, comm);
+  RunTotals totals = sum_totals(state);
+  totals.ledger.materials.assign(scene.materials.size(), {});
+  totals.ledger.materials[1] = {1.0, -2.5, 3.0, 4.5, 0.5};
+  const std::string text =
+      summary_text(scene, state, {"out", "deck.xml", "", "1.0", {}}, totals, {}, {}, {});
+  const std::string wanted =
+      "\"" + scene.materials[1].name() +
+      "\": {\n          \"prestress\": 1,\n          \"elastic\": -2.5,\n          "
+      "\"plastic\": 3,\n          \"viscous\": 4.5,\n          \"explosive\": 0.5\n";
+  EXPECT_NE(text.find(wanted), std::string::npos) << wanted << text;
+}
+
 TEST(Summary, SaysWhatSetTheSteps) {
   const Scene scene = synthetic::make_scene();
   StepLimits limits = make_step_limits(scene);

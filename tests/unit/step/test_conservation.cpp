@@ -58,6 +58,51 @@ TEST_P(Conservation, PicGivesAwayEnergyAndSaysSo) {
 
 INSTANTIATE_TEST_SUITE_P(Modes, Conservation, ::testing::ValuesIn(all_modes));
 
+/// All digits of a term, over the ranks.
+std::vector<long long> digits(const Comm& comm, const ReproducibleSum& term) {
+  std::vector<ReproducibleSum> sums{term};
+  sum_over_ranks(comm, sums);
+  sums[0].carry();
+  return {sums[0].part, sums[0].part + ReproducibleSum::parts};
+}
+
+/// A rod of copper hits a core that starts under pressure.
+TEST(Conservation, EnergiesOfTheMaterialsAddUpToTheLedgerDigitForDigit) {
+  Scene scene =
+      box_scene(Mode::axisymmetric, 1e-3, {0.0, 0.0, 0.0}, {0.016, 0.040, 0.0}, testing::copper());
+  scene.materials.push_back(testing::elastic(20e9, 0.25, 2300.0));
+  add_box(scene, "rod", {0.0, 0.002, 0.0}, {0.0032, 0.0135, 0.0}, 2).velocity = {0.0, 300.0, 0.0};
+  BodySpec& core = add_box(scene, "core", {0.0, 0.014, 0.0}, {0.0117, 0.034, 0.0}, 2);
+  core.material = 1;
+  core.initial_pressure = 70e6;
+  State state = start(scene);
+  advance_to(scene, 1.0e-5, state);
+  const Comm& comm = *state.grid.comm;
+  const OwnLedger& ledger = state.ledger;
+  ASSERT_EQ(ledger.materials.size(), 2U);
+  OwnMaterialEnergies sum;
+  for (const OwnMaterialEnergies& one : ledger.materials) {
+    sum.prestress += one.prestress;
+    sum.elastic += one.elastic;
+    sum.plastic += one.plastic;
+    sum.viscous += one.viscous;
+  }
+  EXPECT_EQ(digits(comm, sum.prestress), digits(comm, ledger.prestress));
+  EXPECT_EQ(digits(comm, sum.elastic), digits(comm, ledger.elastic));
+  EXPECT_EQ(digits(comm, sum.plastic), digits(comm, ledger.plastic));
+  EXPECT_EQ(digits(comm, sum.viscous), digits(comm, ledger.viscous));
+  // Each has its own: the metal alone flows, the core alone started under pressure.
+  const Ledger whole = sum_over_ranks(comm, ledger);
+  ASSERT_EQ(whole.materials.size(), 2U);
+  EXPECT_GT(whole.materials[0].plastic, 0.1 * whole.initial_kinetic);
+  EXPECT_EQ(whole.materials[1].plastic, 0.0);
+  EXPECT_EQ(whole.materials[0].prestress, 0.0);
+  EXPECT_GT(whole.materials[1].prestress, 0.0);
+  EXPECT_NE(whole.materials[0].elastic, 0.0);
+  EXPECT_GT(whole.materials[1].elastic, 0.01 * whole.initial_kinetic);
+  EXPECT_GT(whole.materials[0].viscous, 0.0);
+}
+
 TEST(Conservation, ImpulseOfAWallIsCounted) {
   Scene scene =
       box_scene(Mode::axisymmetric, 1e-3, {0.0, 0.0, 0.0}, {0.016, 0.040, 0.0}, testing::copper());
