@@ -148,8 +148,8 @@ void add_held_energy(BalanceRows& energy) {
       4,
       P::held,
       &Ledger::elastic,
-      "recoverable energy: that of the initial equilibrium (`prestress`) and the elastic "
-      "work since then"
+      "elastic energy: that of the initial equilibrium (`prestress`) and the elastic work "
+      "since then; it may fall below zero ([Energy](#energy))"
   );
   energy.add("plastic", 5, P::held, &Ledger::plastic, "work dissipated by the materials");
   energy.add(

@@ -15,7 +15,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 from tools.case import Result
 from tools.penetration import between_particles_and_grid
-from tools.plug import Plug, write_card
+from tools.plug import Plug, changed_card
 from tools.runs import run_deck
 
 CARDS_FOLDER = pathlib.Path(__file__).resolve().parents[2] / "materials" / "cards"
@@ -78,24 +78,13 @@ def squeezed(library, name, more):
     """Rows of axial stress, density, pressure and sqrt(J2) under uniaxial strain."""
     rows = []
     with tempfile.TemporaryDirectory() as folder:
-        file = write_card(folder, changed_card(folder, name, more), {})
+        file = changed_card(folder, CARDS_FOLDER / f"{name}.xml", more)
         with Material(file, library) as material:
             plug = Plug(material, None)
             while -plug.stress[0, 0] < 1.05 * STRESSES[-1] * GIGA:
                 plug.strain_axially(-STEP)
                 rows.append((-plug.stress[0, 0], POROUS * math.exp(STEP * (len(rows) + 1)), plug.pressure(), plug.root_j2()))
     return np.array(rows).T
-
-
-def changed_card(folder, name, more):
-    """The card with some of its parameters changed."""
-    tree = xml.parse(CARDS_FOLDER / f"{name}.xml")
-    for parameter in tree.getroot():
-        if parameter.get("name") in more:
-            parameter.set("value", repr(more[parameter.get("name")]))
-    file = pathlib.Path(folder) / "changed.xml"
-    tree.write(file)
-    return file
 
 
 def numbers_of(name):

@@ -4,9 +4,11 @@ import json
 
 from performance import checkpoint_cost
 from tools import cement_table
+from tools import closed_cycles_table
 from tools import converge_parts
 from tools import deck_table
 from tools import depth_at_rest_runs
+from tools import elastic_shares_table
 from tools import extremes_page
 from performance import feature_cost
 from tools import figures_page
@@ -58,11 +60,13 @@ PARTS = {
     "cement_shot": cement_table.lines,
     "checkpoint_cost.py": checkpoint_cost.stored_part,
     "checkpoint_times": checkpoint_times,
+    "closed_cycles": closed_cycles_table.lines,
     "converge_fine_jet": converge_parts.fine_jet,
     "converge_jet": converge_parts.jet,
     "converge_shell": converge_parts.shell,
     "decks": deck_table.lines,
     "depths": figures_page.depths,
+    "elastic_shares": elastic_shares_table.lines,
     "fidelities": figures_page.fidelities,
     "figures": figures_page.figures,
     "laboratory_tests": laboratory_tests,

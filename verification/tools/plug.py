@@ -20,6 +20,17 @@ def write_card(folder, card, parameters):
     return file
 
 
+def changed_card(folder, card, parameters):
+    """A card with some of its numbers changed, as a file in a folder."""
+    tree = xml.parse(card)
+    for parameter in tree.getroot():
+        if parameter.get("name") in parameters:
+            parameter.set("value", repr(parameters[parameter.get("name")]))
+    file = pathlib.Path(folder) / "changed.xml"
+    tree.write(file)
+    return file
+
+
 def card_numbers(card):
     """{name: number} of a card in SI."""
     numbers = {}

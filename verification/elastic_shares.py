@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Elastic energy of the main job by material, and why it is below zero: what is stored, what heat and moduli have given.
+
+    elastic_shares.py BARRENO [ROW ...]    all rows, or those named: verification/results/elastic_shares.json, and docs/output.md
+
+Runs of perforation.xml with --fidelity fast, one core each; some minutes a row, and ten gigabytes of fields that are removed again.
+"""
+import sys
+
+from tools import foreign_python  # noqa: F401
+from tools.elastic_shares_table import INTERVAL, ROWS, STORED
+from tools.plug import card_numbers
+from tools.runs import ROOT, run_deck
+from tools.stored_energy import RockEnergy, Rows, metal, rock_history
+from tools.stored_rows import measure_rows
+
+CARDS = {"Tungsten": "tungsten_alloy", "Steel": "steel_4340_fracture", "Sandstone": "berea_sandstone_bounded"}
+ROCK = "Sandstone"
+SHARES = ("kinetic", "elastic", "plastic", "viscous", "put_in", "error")
+
+
+def numbers_of(material, entries):
+    """Of a card with the values that a row changes, in SI."""
+    numbers = card_numbers(ROOT / "materials" / "cards" / f"{CARDS[material]}.xml")
+    begin = f"Materials/{material}/"
+    return {**numbers, **{name.removeprefix(begin): float(value) for name, value in entries.items() if name.startswith(begin)}}
+
+
+def measured(barreno, entries):
+    finished = run_deck(barreno, "perforation.xml", {"Fidelity": "fast", "Output/Field Interval": f"{INTERVAL} us", **entries})
+    energy = finished.summary["balances"]["energy"]
+    found = {name: energy[name] for name in SHARES}
+    found["materials"] = energy["materials"]
+    for index, material in enumerate(CARDS):
+        card = numbers_of(material, entries)
+        own = found["materials"][material]
+        if material != ROCK:
+            own.update(metal(finished, index, card))
+            continue
+        law = RockEnergy(card)
+        own["stored"] = law.stored(Rows(finished, index, card["Density"]))
+        own.update(rock_history(finished, index + 1, law, card["Density"]))
+    return found
+
+
+if __name__ == "__main__":
+    sys.exit(measure_rows(__doc__, ROWS, STORED, measured))
