@@ -272,8 +272,8 @@ def run(barreno, full):
         "alone.",
         "the integral of J/G q dq round the cycle, with moduli written anew (oracles/rock_elasticity.py). One material point, no grid; "
         f"{STEPS[PORES]} or {STEPS[CRUSHED]} steps a side. Rectangles are given in the direction that creates work. "
-        f"`{BOUND}`: the cycle that creates the most, at {NEAR:g} of the strength; its share is that of the bound. `{SOFTER}`: what dilation under load adds to the stored energy. "
-        "Volumes are those of the virgin rock",
+        f"`{BOUND}`: the cycle that creates the most, at {NEAR:g} of the strength; its share is that of the bound. "
+        f"`{SOFTER}`: what dilation under load adds to the stored energy. Volumes are those of the virgin rock",
         COLUMNS,
         [],
     )  # fmt: skip
