@@ -2,6 +2,7 @@
 #include "step/end_part.hpp"
 
 #include "base/gather.hpp"
+#include "step/apply_loads.hpp"
 #include "step/ranks/place_particles.hpp"
 #include "step/solve_motion.hpp"
 #include "step/stable_step.hpp"
@@ -45,10 +46,11 @@ void end_or_carry_steps(
     const Scene& scene, double dt, State& state, StepTally& tally, StepResult& result
 ) {
   if (!must_meet(dt, tally, result, state)) {
-    carry_tile_steps(state.grid, dt, state.nodes.front(), state.dormancy, state.subcycling);
+    carry_tile_steps(state.grid, state.nodes.front(), state.dormancy, state.subcycling);
     return;
   }
-  move_other_tiles(scene, dt, state);
+  move_other_tiles(scene, state, tally);
+  tally.applied_work += tally_applied_loads(scene.body_force, state);
   update_sets(set_update(scene.materials, scene.step, state.clock.time + dt, state), tally, result);
   agree_on_failure(scene.materials, *state.grid.comm, result);
   tally_all_momentum(state, tally.moved);

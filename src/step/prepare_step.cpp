@@ -3,6 +3,7 @@
 
 #include "step/jet/launch_jet.hpp"
 #include "step/loads/load_pressures.hpp"
+#include "step/nodes/find_node_periods.hpp"
 #include "step/order/split_particles.hpp"
 #include "step/ranks/balance_load.hpp"
 #include "step/ranks/place_particles.hpp"
@@ -57,16 +58,23 @@ int row_of_rule(StepRule rule, int set, bool by_fluids, std::size_t sets) {
 }
 
 /// How the step is divided, with all tiles active that particles may enter before it is over.
-void plan_parts(const StepSpec& step, double dt, double left, State& state) {
+void plan_parts(const Scene& scene, double dt, double left, State& state) {
   const auto reaches_others = [&] {
     return plan_subcycles(
-        step, state.grid, state.particles, state.dormancy, dt, left, state.subcycling
+        scene.step, state.grid, state.particles, state.dormancy, dt, left, state.subcycling
     );
   };
   while (reaches_others())
     activate_reached_tiles(
         reached_tiles(state.grid, state.subcycling), state.clock.step, continuum_of(state)
     );
+  find_node_periods(
+      SymmetryPlanes(scene.conditions, state.grid),
+      state.conditions,
+      state.grid,
+      state.particles,
+      state.subcycling
+  );
 }
 
 }  // namespace
@@ -90,7 +98,7 @@ StepStart prepare_step(const Scene& scene, double next_time, State& state) {
   place_particles(placement, clock.step, continuum);  // ranks, tiles, order
   if (clock.step == 0) start_affine(grid, sets);      // APIC
   // The first step settles what materials make of their initial states: together.
-  plan_parts(scene.step, next.dt, clock.step == 0 ? 0.0 : next_time - clock.time, state);
+  plan_parts(scene, next.dt, clock.step == 0 ? 0.0 : next_time - clock.time, state);
   const bool by_fluids = with_fluids < stable;
   return {next.dt, placement.interrupt, row_of_rule(next.set_by, set, by_fluids, sets.size())};
 }

@@ -113,7 +113,7 @@ void set_smaller_step(double dt, State& state) {
 void solve_motion(const Scene& scene, double& dt, State& state, StepTally& tally) {
   for (int retry = 0;; ++retry) {
     tally.grid = solve_fields(scene, state.clock, scene.step.damping, state, tally.rigid);
-    end_tile_steps(state.grid, dt, state.nodes.front(), state.subcycling);
+    end_tile_steps(state.grid, state.nodes.front(), state.subcycling);
     const double strain = move_with_nodes(scene, state);
     if (!(strain > scene.step.largest_strain) || retry == max_retries) return;
     dt *= std::max(0.25, 0.8 * scene.step.largest_strain / strain);
@@ -121,8 +121,12 @@ void solve_motion(const Scene& scene, double& dt, State& state, StepTally& tally
   }
 }
 
-void move_other_tiles(const Scene& scene, double dt, State& state) {
-  end_other_tile_steps(state.grid, dt, state.nodes.front(), state.subcycling);
+void move_other_tiles(const Scene& scene, State& state, StepTally& tally) {
+  state.subcycling.catches_up = true;
+  RigidTally rigid;  // rigid bodies and Subcycles exclude each other
+  add(solve_fields(scene, state.clock, scene.step.damping, state, rigid), tally.grid);
+  state.subcycling.catches_up = false;
+  end_other_tile_steps(state.grid, state.nodes.front(), state.subcycling);
   move_with_nodes(scene, state);
 }
 

@@ -16,10 +16,10 @@ namespace barreno {
 void solve_motion(const Scene& scene, double& dt, State& state, StepTally& tally);
 
 /// The same for tiles that the part of a step has left within their own steps, which end with it
-/// (Subcycling).
+/// (Subcycling), and for nodes that wait for the ends of these steps.
 ///
-/// @param dt  of the part [time]
-void move_other_tiles(const Scene& scene, double dt, State& state);
+/// @param[in,out] tally  what these nodes do is added to tally.grid
+void move_other_tiles(const Scene& scene, State& state, StepTally& tally);
 
 /// The strain alone, from the momenta that the nodes hold without any forces. docs/method.md (2.11)
 ///

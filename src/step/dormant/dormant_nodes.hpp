@@ -52,8 +52,10 @@ struct DormantNodes {
   KOKKOS_INLINE_FUNCTION double limit(int tile) const {
     return dormancy.motion * frame(tile).cell_size / frame(tile).dt;
   }
-  /// What of a tile's step its nodes take now.
-  KOKKOS_INLINE_FUNCTION double share(int tile) const { return frame(tile).part / frame(tile).dt; }
+  /// Length of the steps of nodes that take so many parts of a step at once [time].
+  KOKKOS_INLINE_FUNCTION double step_of(int tile, int period) const {
+    return subcycling.elapsed_of(period) + frame(tile).part;
+  }
 
   /// Of its neighbours. Sums of other ranks may have changed.
   KOKKOS_INLINE_FUNCTION bool all_around_keep_sums(int tile) const {
@@ -82,37 +84,67 @@ struct DormantNodes {
     return dormancy.on && dormancy.unsolved(tile) != 0;
   }
 
+  /// What nodes that were solved do at most.
+  struct Bounds {
+    double speed = 0.0, change = 0.0, acceleration = 0.0;
+    bool numbers = true, motionless = true;
+  };
+  /// @param period  parts of a step that these nodes take at once
+  KOKKOS_INLINE_FUNCTION void look_at_nodes(int tile, const double* motion, int period, Bounds& all)
+      const {
+    const int dimensions = patch.dimensions;
+    const int width = motion_components(dimensions);
+    const bool some = subcycling.on() && subcycling.node_periods(tile) != period;
+    double speed = 0.0;
+    double change = 0.0;
+    for (int node = 0; node < patch.size; ++node) {
+      if (some && subcycling.node_period(tile * patch.size + node) != period) continue;
+      for (int d = 0; d < dimensions; ++d) {
+        const double v = std::abs(motion[node * width + d]);
+        const double dv = std::abs(motion[node * width + dimensions + d]);
+        all.numbers = all.numbers && v <= std::numeric_limits<double>::max() &&
+                      dv <= std::numeric_limits<double>::max();
+        speed = v > speed ? v : speed;
+        change = dv > change ? dv : change;
+      }
+    }
+    const double step = step_of(tile, period);
+    const double share = step / frame(tile).dt;
+    all.motionless = all.motionless && speed <= limit(tile) && change <= share * limit(tile);
+    all.speed = speed > all.speed ? speed : all.speed;
+    all.change = change > all.change ? change : all.change;
+    all.acceleration = change / step > all.acceleration ? change / step : all.acceleration;
+  }
+
   /// Notes the bounds of a tile that was solved, and whether it is motionless.
   /// @param motion      v' and v' - v of its nodes
   /// @param prescribed  a condition gives work or axial momentum at one of them, or contact acts:
   ///                    its impulse counts, and may change
+  /// @param periods     of the nodes that were solved now (Subcycling::solved_periods)
   /// @return that it is motionless and all that it has of energy may be dropped
-  KOKKOS_INLINE_FUNCTION bool enter(int tile, const double* motion, bool prescribed) const {
+  KOKKOS_INLINE_FUNCTION bool enter(
+      int tile, const double* motion, bool prescribed, int periods = 1
+  ) const {
     if (!is_candidate(tile)) return false;
-    const int dimensions = patch.dimensions;
-    const int width = motion_components(dimensions);
-    double speed = 0.0;
-    double change = 0.0;
-    bool numbers = true;
-    for (int node = 0; node < patch.size; ++node)
-      for (int d = 0; d < dimensions; ++d) {
-        const double v = std::abs(motion[node * width + d]);
-        const double dv = std::abs(motion[node * width + dimensions + d]);
-        numbers = numbers && v <= std::numeric_limits<double>::max() &&
-                  dv <= std::numeric_limits<double>::max();
-        speed = v > speed ? v : speed;
-        change = dv > change ? dv : change;
-      }
-    const bool motionless = numbers && speed <= limit(tile) && change <= share(tile) * limit(tile);
-    const bool so_far = (first_field && subcycling.starts(tile)) || dormancy.motionless(tile) != 0;
-    dormancy.motionless(tile) = motionless && so_far ? 1 : 0;
-    const bool bounded = numbers && !prescribed;
-    const double most = bounded ? speed + change : std::numeric_limits<double>::infinity();
-    const double gain = bounded ? change / frame(tile).part : 0.0;
+    Bounds all;
+    for (int period = 1; period <= periods; period *= 2)
+      if ((periods & period) != 0) look_at_nodes(tile, motion, period, all);
+    const bool motionless = all.numbers && all.motionless;
+    const bool first = first_field && subcycling.starts(tile) && !subcycling.catches_up;
+    dormancy.motionless(tile) = motionless && (first || dormancy.motionless(tile) != 0) ? 1 : 0;
+    const bool some = subcycling.on() && subcycling.node_periods(tile) != periods;
+    const bool bounded = all.numbers && !prescribed && !some;
+    const double most = bounded ? all.speed + all.change : std::numeric_limits<double>::infinity();
+    const double gain = bounded ? all.acceleration : 0.0;
     const bool larger = first_field || most > dormancy.speed(tile);
     if (larger) dormancy.speed(tile) = most;
     if (first_field || gain > dormancy.acceleration(tile)) dormancy.acceleration(tile) = gain;
     return motionless && !prescribed;
+  }
+
+  /// Sums may have changed since the bounds were found, and the nodes wait for the end of the step.
+  KOKKOS_INLINE_FUNCTION void forget_bounds(int tile) const {
+    if (is_candidate(tile)) dormancy.speed(tile) = std::numeric_limits<double>::infinity();
   }
 };
 

@@ -14,7 +14,7 @@ void find_unsolved_tiles(const Grid& grid, const DormantNodes& nodes) {
       KOKKOS_LAMBDA(const int tile) {
         const bool stays = nodes.stays_motionless(tile);
         dormancy.unsolved(tile) = stays ? 1 : 0;
-        if (stays && nodes.subcycling.starts(tile)) dormancy.motionless(tile) = 1;
+        if (nodes.subcycling.starts(tile)) dormancy.motionless(tile) = 1;  // so far
       }
   );
   const ArrayView<int> parent = grid.parent;

@@ -15,6 +15,18 @@ struct LoadedSet {
   LoadTable loads;
   Particles particles;
   Nodes nodes;
+  Subcycling subcycling;
+
+  /// Whether a tile ends its step with this part: its loads, which stay over the step, then count.
+  KOKKOS_INLINE_FUNCTION bool ends_step(int tile) const {
+    return !subcycling.on() || subcycling.ends(tile) != 0;
+  }
+  /// What its nodes do over the step that a tile ends.
+  KOKKOS_INLINE_FUNCTION const double* motion_of(int tile) const {
+    const bool whole = subcycling.takes_whole(tile) &&
+                       (subcycling.solved(tile) != 0 || subcycling.gained(tile) != 0);
+    return &(whole ? subcycling.whole : nodes.motion)(first_motion(frame.patch, tile));
+  }
 };
 
 /// visit(LoadedSet of a set, as its kernels are compiled) for every deformable set that has a field
@@ -30,7 +42,8 @@ void for_each_loaded_set(const Tractions& tractions, Field Particles::*needed, V
             PatchFrame<M::dimensions>(grid),
             tractions.loads,
             particles,
-            tractions.nodes[static_cast<std::size_t>(particles.field)]});
+            tractions.nodes[static_cast<std::size_t>(particles.field)],
+            tractions.subcycling});
   });
 }
 

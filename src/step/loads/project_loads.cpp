@@ -120,10 +120,11 @@ struct TallyLoads {
   Dormancy dormancy;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile, LoadTally& tally) const {
+    if (!faces.ends_step(tile)) return;
     const Patch& sizes = faces.frame.patch;
     const Particles& particles = faces.particles;
-    const double dt = faces.frame.tile_frame(tile).part;
-    const double* const patch = &faces.nodes.motion(first_motion(sizes, tile));
+    const double dt = faces.frame.tile_frame(tile).dt;
+    const double* const patch = faces.motion_of(tile);
     faces.for_each_face(tile, [&](int p, int face, const AppliedLoad& load) {
       const Vector force = face_force<M>(load, particles, p, face);
       tally.impulse += force[1] * dt;

@@ -146,9 +146,10 @@ struct TallySurfacePressures {
   PressedRows<M, S> pressed;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile, LoadTally& tally) const {
+    if (!pressed.ends_step(tile)) return;
     const Patch& sizes = pressed.frame.patch;
-    const double dt = pressed.frame.tile_frame(tile).part;
-    const double* const motion = &pressed.nodes.motion(first_motion(sizes, tile));
+    const double dt = pressed.frame.tile_frame(tile).dt;
+    const double* const motion = pressed.motion_of(tile);
     pressed.for_each(tile, [&](int p, const auto& support) {
       const PressureInside inside = pressed.pressure(p);
       const double volume = pressed.particles.volume(p);

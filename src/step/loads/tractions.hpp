@@ -14,9 +14,10 @@ struct Tractions {
   const LoadTable& loads;
   const std::vector<Particles>& sets;
   const std::vector<Nodes>& nodes;
+  const Subcycling& subcycling;
 };
 inline Tractions tractions_of(const State& state) {
-  return {state.grid, state.loads, state.particles, state.nodes};
+  return {state.grid, state.loads, state.particles, state.nodes, state.subcycling};
 }
 
 }  // namespace barreno

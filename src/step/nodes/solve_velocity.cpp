@@ -7,6 +7,7 @@
 #include "grid/coarse_nodes.hpp"
 #include "shape/kinematics.hpp"
 #include "step/dormant/find_unsolved_tiles.hpp"
+#include "step/subcycle/whole_motion.hpp"
 
 #include <vector>
 
@@ -37,6 +38,17 @@ struct SolveVelocity {
   ArrayView<unsigned char> passes_up;  ///< tiles that follow such; empty without levels or contact
   ArrayView<double> impulse;
   DormantNodes dormant;
+  Subcycling subcycling;
+
+  /// Nodes of a tile that take as many parts of a step at once.
+  struct NodeGroup {
+    int period;
+    bool all;   ///< the tile has no others
+    bool free;  ///< no condition holds at any node of the tile
+    double dt;  ///< of their steps [time]
+    NodeScales scales;
+    PrescribedVelocities velocities;
+  };
 
   /// Whole sums of the nodes of a patch that share y and z: its own part and its neighbours', in
   /// lexicographic order of the tiles.
@@ -67,13 +79,18 @@ struct SolveVelocity {
     }
   }
 
-  /// The motion of a node that is no unknown of its tile.
+  /// The motion of a node that is no unknown of its tile, over the step that the coarser tile ends.
   KOKKOS_INLINE_FUNCTION void take_from_parent(int tile, int slot, double* out) const {
     constexpr int width = motion_components(dimensions);
-    const double* const coarser = &motion(first_motion(patch, parent(tile)));
+    const WholeMotion of_step{patch, tile_frame, motion, subcycling};
+    const bool whole = subcycling.takes_whole(parent(tile)) && of_step.period_of(tile, slot) > 1;
+    const double* const last = &motion(first_motion(patch, parent(tile)));
     for (int i = 0; i < width; ++i) out[i] = 0.0;
     for_each_coarse_node(patch, tile_frame(tile).position, slot, [&](int coarse, double weight) {
-      for (int i = 0; i < width; ++i) out[i] += weight * coarser[coarse * width + i];
+      double moved[static_cast<std::size_t>(width)];
+      if (whole) of_step.find(parent(tile), coarse, moved);
+      const double* const coarser = whole ? moved : last + coarse * width;
+      for (int i = 0; i < width; ++i) out[i] += weight * coarser[i];
     });
   }
 
@@ -257,17 +274,26 @@ struct SolveVelocity {
     for (int i = 0; i < patch.nodes * width; ++i) moved[i] = 0.0;
   }
 
-  /// @return whether a condition gives work or axial momentum at one of its nodes
+  KOKKOS_INLINE_FUNCTION bool is_in(const NodeGroup& group, int tile, int slot) const {
+    return group.all || subcycling.node_period(tile * patch.size + slot) == group.period;
+  }
+  KOKKOS_INLINE_FUNCTION bool any_is_in(const NodeGroup& group, int tile, int row) const {
+    bool any = group.all;
+    for (int x = 0; x < patch.nodes && !any; ++x) any = is_in(group, tile, row + x);
+    return any;
+  }
+  /// An impedance lets a velocity change less than in proportion to the length of the step: bounds
+  /// of steps of one length do not hold for others.
+  KOKKOS_INLINE_FUNCTION bool defies_bounds(const double* node) const {
+    return subcycling.on() && node[impedance_component] != 0.0;
+  }
+
+  /// @return whether what one of its nodes gives to work or axial momentum counts in any case
   KOKKOS_INLINE_FUNCTION bool solve_row(
-      int tile,
-      int y,
-      int z,
-      bool free,
-      const PrescribedVelocities& velocities,
-      const NodeScales& scales,
-      double (&part)[tally_components][2]
+      int tile, int y, int z, const NodeGroup& group, double (&part)[tally_components][2]
   ) const {
     const int row = (z * patch.nodes + y) * patch.nodes;
+    if (!any_is_in(group, tile, row)) return false;
     alignas(64) double total[max_patch_nodes * sum_components];
     if (!sum_row(tile, y, z, total)) {
       rest_row(tile, row);
@@ -282,8 +308,8 @@ struct SolveVelocity {
         shared_tile.extent(0) > 0 && shared_tile(tile) != 0
             ? &impulse(first_value(patch, tile, impulses)) + row * impulses
             : nullptr;
-    const double dt = tile_frame(tile).part;
-    const double share = rule.grid_share(dt);
+    const double dt = group.dt;
+    const NodeScales& scales = group.scales;
     NodePlace place{{}, at.level};
     for (int d = 0; d < 3; ++d) place.index[d] = at[d] * patch.tile_cells - patch.reach;
     place.index[1] += y;
@@ -292,6 +318,7 @@ struct SolveVelocity {
     for (int x = 0; x < patch.nodes; ++x, ++place.index[0]) {
       const double* const node = total + x * sum_components;
       double* const out = moved + x * motion_components(dimensions);
+      if (!is_in(group, tile, row + x)) continue;
       if (taken != nullptr && taken[x] != 0) {
         take_from_parent(tile, row + x, out);
         continue;
@@ -299,14 +326,14 @@ struct SolveVelocity {
       const bool counted = counts(tile * patch.size + row + x) != 0;
       const double* const of_contact = contact != nullptr ? contact + x * impulses : nullptr;
       // By what the node is, not its tile: which one counts it hangs on the tiles that are active.
-      if (shared_tile.extent(0) == 0 && is_plain(node) && (free || is_free(place))) {
+      if (shared_tile.extent(0) == 0 && is_plain(node) && (group.free || is_free(place))) {
         solve_plain_node(dt, node, counted, scales, out, part);
         continue;
       }
       double own[tally_components] = {};
-      const SolvedNode solved = solve_node(velocities, place, dt, node, of_contact, own);
+      const SolvedNode solved = solve_node(group.velocities, place, dt, node, of_contact, own);
       const Velocity& v = solved.v;
-      prescribed |= solved.prescribed;
+      prescribed |= solved.prescribed || defies_bounds(node);
       for (int d = 0; d < dimensions; ++d) {
         out[d] = v.after[d];
         out[dimensions + d] = v.after[d] - v.before[d];
@@ -315,7 +342,7 @@ struct SolveVelocity {
       if (!counted || node[0] <= 0.0) continue;
       tally_node(dt, node[0], solved.force, solved.drag, solved.resisted, v, own);
       if (of_contact != nullptr) tally_contact(of_contact, v, own);
-      own[12] = share * own[5];
+      own[12] = rule.grid_share(dt) * own[5];
       for (int i = 0; i < plain_components; ++i) add_split(own[i], scales.energy, part[i]);
       if (of_contact == nullptr && !solved.prescribed && is_plain(node)) continue;
       for (int i = plain_components; i < tally_components; ++i)
@@ -330,20 +357,45 @@ struct SolveVelocity {
            (passes_up.extent(0) > 0 && passes_up(tile) != 0);
   }
 
+  KOKKOS_INLINE_FUNCTION bool solve_group(
+      int tile, const NodeGroup& group, double (&part)[tally_components][2]
+  ) const {
+    bool prescribed = false;
+    for (int z = 0; z < patch.nodes_along(2); ++z)
+      for (int y = 0; y < patch.nodes; ++y) prescribed |= solve_row(tile, y, z, group, part);
+    return prescribed;
+  }
+  KOKKOS_INLINE_FUNCTION NodeGroup group_of(int tile, int period, bool free) const {
+    const double dt = dormant.step_of(tile, period);
+    const bool all = !subcycling.on() || subcycling.node_periods(tile) == period;
+    return {
+        period,
+        all,
+        free,
+        dt,
+        rule.scales(tile_frame(tile).cell_size, dt),
+        rule.conditions.over_step(dt)};
+  }
+
+  /// Whether any of its nodes are solved in this part of a step.
+  KOKKOS_INLINE_FUNCTION void note_solved(int tile, int periods) const {
+    if (!subcycling.on() || (subcycling.catches_up && periods == 0)) return;
+    subcycling.solved(tile) = periods != 0 ? 1 : 0;
+    if (periods == 0 && !dormant.leaves_unsolved(tile)) dormant.forget_bounds(tile);
+  }
+
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
     double part[tally_components][2] = {};
-    bool counts_nothing = dormant.leaves_unsolved(tile);
-    if (dormant.subcycling.on()) dormant.subcycling.solved(tile) = counts_nothing ? 0 : 1;
+    const int periods = dormant.leaves_unsolved(tile) ? 0 : subcycling.solved_periods(tile);
+    note_solved(tile, periods);
+    bool counts_nothing = periods == 0;
     if (!counts_nothing) {
-      const NodeScales scales = rule.scales(tile_frame(tile).cell_size, tile_frame(tile).part);
-      const PrescribedVelocities velocities = rule.conditions.over_step(tile_frame(tile).part);
       const bool free = is_free(tile);
-      bool prescribed = false;
-      for (int z = 0; z < patch.nodes_along(2); ++z)
-        for (int y = 0; y < patch.nodes; ++y)
-          prescribed |= solve_row(tile, y, z, free, velocities, scales, part);
-      counts_nothing =
-          dormant.enter(tile, &motion(first_motion(patch, tile)), prescribed || contact_acts(tile));
+      bool prescribed = contact_acts(tile);
+      for (int period = 1; period <= periods; period *= 2)
+        if ((periods & period) != 0)
+          prescribed |= solve_group(tile, group_of(tile, period, free), part);
+      counts_nothing = dormant.enter(tile, &motion(first_motion(patch, tile)), prescribed, periods);
     }
     for (int i = 0; i < tally_values; ++i)
       tally(static_cast<std::size_t>(tile * tally_values + i)) =
@@ -400,7 +452,7 @@ GridTally solve_velocity(
   const DormantNodes dormant(
       grid, special.dormancy, special.first_field, special.subcycling, nodes
   );
-  if (special.first_field) find_unsolved_tiles(grid, dormant);
+  if (special.first_field && !special.subcycling.catches_up) find_unsolved_tiles(grid, dormant);
   visit_mode(grid.mode, [&](auto mode) {
     const SolveVelocity<decltype(mode)::dimensions> solve{
         rule,
@@ -416,7 +468,8 @@ GridTally solve_velocity(
         special.shared,
         special.passes_up,
         nodes.impulse,
-        dormant};
+        dormant,
+        special.subcycling};
     for (int level = 0; level < grid.box.levels; ++level)  // finer tiles ask coarser ones
       launch(
           "solve_velocity",

@@ -41,13 +41,16 @@ struct SpecialTiles {
 ///   v_I = p_I / m_I,   v_I' = v_I + dt (f_I - damping p_I) / (m_I + dt Z_I),   conditions replace
 ///   components of both (prescribe_velocities)
 ///
+/// With Subcycling dt is the length of a node's own step, and nodes are solved with the part that
+/// ends it (find_node_periods).
+///
 /// Every tile does this for its whole patch, in one order of the parts, so that copies of a node
 /// agree to the last bit and no second exchange is needed.
 ///
 /// @pre  sums hold each tile's own part, ghosts included (exchange_halo)
-/// @post nodes.motion holds v' and v' - v, but of tiles that stay motionless; Dormancy::motionless
-/// says which; the sums are left as they were, so that a step can be
-/// retried
+/// @post nodes.motion holds v' and v' - v of nodes that are solved, but of tiles that stay
+/// motionless; Dormancy::motionless says which; the sums are left as they were, so that a step can
+/// be retried
 GridTally solve_velocity(
     const Grid& grid, const VelocityRule& rule, const SpecialTiles& special, Nodes& nodes
 );

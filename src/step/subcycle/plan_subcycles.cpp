@@ -180,10 +180,12 @@ void make_rooms(const Grid& grid, Subcycling& subcycling) {
   const std::size_t nodes = first_motion(grid.patch, with_spare);
   subcycling.period = ArrayView<int>("period", room);
   subcycling.entrants = ArrayView<int>("entrants", room);
+  subcycling.node_period =
+      ArrayView<unsigned char>("node_period", room * static_cast<std::size_t>(grid.patch.size));
+  subcycling.node_periods = ArrayView<unsigned char>("node_periods", room);
   subcycling.ends = ArrayView<unsigned char>("ends", room);
   subcycling.solved = ArrayView<unsigned char>("solved", room);
   subcycling.gained = ArrayView<unsigned char>("gained", room);
-  subcycling.elapsed = ArrayView<double>("elapsed", room);
   subcycling.reach = ArrayView<double>("reach", told_of_tile * room);
   subcycling.gain = ArrayView<double>("gain", nodes);
   subcycling.whole = ArrayView<double>("whole", nodes);
@@ -293,6 +295,7 @@ bool plan_subcycles(
   subcycling.ends_all = false;
   subcycling.parts = parts_in(time_left, dt, subcycling.most);
   if (!subcycling.on()) return false;
+  subcycling.length = dt;
   const Region region("plan_subcycles");
   make_rooms(grid, subcycling);
   const TileReach reach(grid, dormancy, subcycling);

@@ -5,10 +5,11 @@
 
 namespace barreno {
 
-/// What plan_subcycles finds of a tile and the ranks tell each other (Subcycling::reach): its
-/// period, and the directions, as bits, in which particles may leave it before the step is over.
-constexpr int told_of_tile = 2;
-enum { told_period, told_exits };
+/// What is found of a tile and the ranks tell each other (Subcycling::reach): its period, the
+/// directions, as bits, in which particles may leave it before the step is over (plan_subcycles),
+/// and whether it holds particles in the step (find_node_periods).
+constexpr int told_of_tile = 3;
+enum { told_period, told_exits, told_holds };
 
 /// Number of the direction to a tile of the 3^d around one, and of the one that leads back.
 KOKKOS_INLINE_FUNCTION int direction(int x, int y, int z) {

@@ -4,92 +4,76 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "grid/tiles.hpp"
+#include "step/subcycle/whole_motion.hpp"
 
 namespace barreno {
 namespace {
 
-/// Of a tile that ends its step: what its nodes did over all of it, with the path that one step of
-/// that length goes beyond several of its parts: without it a vibration gains energy. (12.2)
+/// Of a tile that ends its step: what its nodes did over all of it. (12.2)
 struct EndTileStep {
-  Patch patch;
-  double dt;
-  ArrayView<TileFrame> frame;
-  ArrayView<double> motion;
-  Subcycling subcycling;
+  WholeMotion of;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
-    const double whole_step = subcycling.elapsed(tile) + dt;
-    frame(tile).dt = whole_step;
-    if (subcycling.elapsed(tile) == 0.0) return;
-    const int dimensions = patch.dimensions;
-    const int width = motion_components(dimensions);
-    const std::size_t first = first_motion(patch, tile);
-    const bool gained = subcycling.gained(tile) != 0;
-    const bool moved = subcycling.solved(tile) != 0;  // what is not solved is motionless
-    if (!gained && !moved) return;  // it is dormant: its particles ask for no motion
-    const double lead = 0.5 * subcycling.elapsed(tile);
-    for (int node = 0; node < patch.size; ++node) {
-      const double* const of_part = &motion(first) + node * width;
-      const double* const before = &subcycling.gain(first) + node * width;
-      double* const out = &subcycling.whole(first) + node * width;
-      for (int d = 0; d < dimensions; ++d) {
-        const double path = (gained ? before[d] : 0.0) + (moved ? dt * of_part[d] : 0.0);
-        const double change =
-            (gained ? before[dimensions + d] : 0.0) + (moved ? of_part[dimensions + d] : 0.0);
-        out[d] = (path + lead * change) / whole_step;
-        out[dimensions + d] = change;
-      }
-      for (int d = 2 * dimensions; d < width; ++d) out[d] = 0.0;
-    }
+    const Subcycling& subcycling = of.subcycling;
+    of.frame(tile).dt = of.step_of(tile, subcycling.period(tile));
+    if (!subcycling.takes_whole(tile)) return;
+    // What is not solved and has gained nothing is dormant: its particles ask for no motion.
+    if (subcycling.gained(tile) == 0 && subcycling.solved(tile) == 0) return;
+    const int width = motion_components(of.patch.dimensions);
+    double* const out = &subcycling.whole(first_motion(of.patch, tile));
+    for (int node = 0; node < of.patch.size; ++node) of.find(tile, node, out + node * width);
   }
 };
 
 /// Of a tile whose step goes on.
 struct CarryTileStep {
-  Patch patch;
-  double dt;
-  ArrayView<double> sums, motion;
+  WholeMotion of;
+  ArrayView<double> sums;
   Dormancy dormancy;
-  Subcycling subcycling;
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile) const {
-    subcycling.elapsed(tile) += dt;
+    const Subcycling& subcycling = of.subcycling;
     // The motion of dormant tiles counts as none.
     if (subcycling.solved(tile) == 0 || dormancy.is_dormant(tile)) return;
-    const int dimensions = patch.dimensions;
-    const int width = motion_components(dimensions);
+    const Patch& patch = of.patch;
     const std::size_t first = first_motion(patch, tile);
+    const auto width = static_cast<std::size_t>(motion_components(patch.dimensions));
     double* const of_tile = &sums(first_sum(patch, tile));
     const bool adds = subcycling.gained(tile) != 0;
     for (int node = 0; node < patch.size; ++node) {
-      const double* const of_part = &motion(first) + node * width;
-      double* const gain = &subcycling.gain(first) + node * width;
-      double* const sum = of_tile + node * sum_components;
-      for (int d = 0; d < dimensions; ++d) {
-        gain[d] = (adds ? gain[d] : 0.0) + dt * of_part[d];
-        gain[dimensions + d] = (adds ? gain[dimensions + d] : 0.0) + of_part[dimensions + d];
-        sum[1 + d] += sum[0] * of_part[dimensions + d];
-      }
+      const std::size_t at = first + static_cast<std::size_t>(node) * width;
+      if (!adds)
+        for (std::size_t i = 0; i < width; ++i) subcycling.gain(at + i) = 0.0;
+      const int period = of.period_of(tile, node);
+      if (subcycling.solves(period))
+        carry_node(of.step_of(tile, period), at, of_tile + node * sum_components);
     }
     subcycling.gained(tile) = 1;
+  }
+
+  KOKKOS_INLINE_FUNCTION void carry_node(double step, std::size_t at, double* sum) const {
+    const int dimensions = of.patch.dimensions;
+    const double* const moved = &of.motion(at);
+    double* const gain = &of.subcycling.gain(at);
+    for (int d = 0; d < dimensions; ++d) {
+      gain[d] += step * moved[d];
+      gain[dimensions + d] += moved[dimensions + d];
+      sum[1 + d] += sum[0] * moved[dimensions + d];
+    }
   }
 };
 
 template <class Ends>
 void end_tiles(
-    const Grid& grid,
-    double dt,
-    const Nodes& nodes,
-    const Subcycling& subcycling,
-    const Ends& is_end
+    const Grid& grid, const Nodes& nodes, const Subcycling& subcycling, const Ends& is_end
 ) {
-  const EndTileStep end{grid.patch, dt, grid.tile_frame, nodes.motion, subcycling};
+  const EndTileStep end{{grid.patch, grid.tile_frame, nodes.motion, subcycling}};
   launch(
       "end_tile_steps",
       range(grid.active),
       KOKKOS_LAMBDA(const int tile) {
         const bool ends = is_end(tile);
-        end.subcycling.ends(tile) = ends ? 1 : 0;
+        end.of.subcycling.ends(tile) = ends ? 1 : 0;
         if (ends) end(tile);
       }
   );
@@ -107,51 +91,37 @@ void start_tile_steps(const Grid& grid, double dt, const Subcycling& subcycling)
         frame(tile).part = dt;
         if (!subcycling.starts(tile)) return;
         frame(tile).dt = subcycling.period(tile) * dt;
-        subcycling.elapsed(tile) = 0.0;
         subcycling.gained(tile) = 0;
       }
   );
 }
 
-void end_tile_steps(const Grid& grid, double dt, const Nodes& nodes, const Subcycling& subcycling) {
+void end_tile_steps(const Grid& grid, const Nodes& nodes, const Subcycling& subcycling) {
   if (!subcycling.on()) return;
   const Region region("end_tile_steps");
   end_tiles(
-      grid,
-      dt,
-      nodes,
-      subcycling,
-      KOKKOS_LAMBDA(const int tile) { return subcycling.is_over(tile); }
+      grid, nodes, subcycling, KOKKOS_LAMBDA(const int tile) { return subcycling.is_over(tile); }
   );
 }
 
-void end_other_tile_steps(
-    const Grid& grid, double dt, const Nodes& nodes, const Subcycling& subcycling
-) {
+void end_other_tile_steps(const Grid& grid, const Nodes& nodes, const Subcycling& subcycling) {
   const Region region("end_tile_steps");
   end_tiles(
-      grid,
-      dt,
-      nodes,
-      subcycling,
-      KOKKOS_LAMBDA(const int tile) { return subcycling.ends(tile) == 0; }
+      grid, nodes, subcycling, KOKKOS_LAMBDA(const int tile) { return subcycling.ends(tile) == 0; }
   );
 }
 
 void carry_tile_steps(
-    const Grid& grid,
-    double dt,
-    const Nodes& nodes,
-    const Dormancy& dormancy,
-    const Subcycling& subcycling
+    const Grid& grid, const Nodes& nodes, const Dormancy& dormancy, const Subcycling& subcycling
 ) {
   const Region region("carry_tile_steps");
-  const CarryTileStep carry{grid.patch, dt, nodes.sums, nodes.motion, dormancy, subcycling};
+  const CarryTileStep carry{
+      {grid.patch, grid.tile_frame, nodes.motion, subcycling}, nodes.sums, dormancy};
   launch(
       "carry_tile_steps",
       range(grid.active),
       KOKKOS_LAMBDA(const int tile) {
-        if (carry.subcycling.ends(tile) == 0) carry(tile);
+        if (carry.of.subcycling.ends(tile) == 0) carry(tile);
       }
   );
 }

@@ -16,24 +16,19 @@ void start_tile_steps(const Grid& grid, double dt, const Subcycling& subcycling)
 /// over all of such a step: the mean of the velocities, by length of the parts, and the sum of
 /// their changes. Momentum is kept, for each particle gets what its mass at the nodes got.
 ///
-/// @param dt  of the part [time]
-/// @post Subcycling::ends, whole where a step had several parts; TileFrame::dt of tiles that end
-void end_tile_steps(const Grid& grid, double dt, const Nodes& nodes, const Subcycling& subcycling);
+/// @pre  TileFrame::part is the length of the part
+/// @post Subcycling::ends, whole where nodes took several parts of a step; TileFrame::dt of tiles
+/// that end
+void end_tile_steps(const Grid& grid, const Nodes& nodes, const Subcycling& subcycling);
 
 /// The same for all tiles that did not end their steps with the part, so that a step may be cut
 /// short.
-void end_other_tile_steps(
-    const Grid& grid, double dt, const Nodes& nodes, const Subcycling& subcycling
-);
+void end_other_tile_steps(const Grid& grid, const Nodes& nodes, const Subcycling& subcycling);
 
-/// Tiles whose steps go on: what the part moved their nodes by, and the momenta of their particles
-/// at the nodes, which gain m_I dv_I.
+/// Tiles whose steps go on: what moved those of their nodes that were solved in the part, and the
+/// momenta of their particles at these nodes, which gain m_I dv_I. (12.1)
 void carry_tile_steps(
-    const Grid& grid,
-    double dt,
-    const Nodes& nodes,
-    const Dormancy& dormancy,
-    const Subcycling& subcycling
+    const Grid& grid, const Nodes& nodes, const Dormancy& dormancy, const Subcycling& subcycling
 );
 
 }  // namespace barreno

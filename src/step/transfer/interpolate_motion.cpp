@@ -28,8 +28,7 @@ struct InterpolateMotion {
 
   KOKKOS_INLINE_FUNCTION void operator()(int tile, double& largest) const {
     if (dormancy.is_left(tile)) return stay(tile);
-    const bool of_parts = subcycling.on() && subcycling.elapsed(tile) > 0.0;
-    const ArrayView<double>& values = of_parts ? subcycling.whole : motion;
+    const ArrayView<double>& values = subcycling.takes_whole(tile) ? subcycling.whole : motion;
     const Motion* const patch = as_packs<components>(&values(first_motion(frame.patch, tile)));
     const int end = particles.tile_begin(tile + 1);
     for (int k = particles.tile_begin(tile); k < end; k += rows_per_batch)

@@ -21,7 +21,6 @@ protected:
     for (int tile = 0; tile < state.grid.active; ++tile) {
       const auto t = static_cast<std::size_t>(tile);
       of.ends(t) = of.period(t) == 1 ? 1 : 0;
-      of.elapsed(t) = 0.0;
       of.gained(t) = 0;
     }
   }
@@ -51,6 +50,7 @@ TEST_F(EndPart, StepsGoOnWhileTheStableStepHolds) {
   ASSERT_EQ(state.subcycling.period(1), 4);
   after_part(0.95 * state.clock.dt);
   EXPECT_TRUE(goes_on(state.subcycling));
+  prepare_next_part(state);
   EXPECT_EQ(state.subcycling.elapsed(1), state.clock.dt);
 }
 
