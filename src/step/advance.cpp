@@ -123,7 +123,7 @@ double end_of_part(double time, double dt, double next_time) {
   return next_time - time <= (1.0 + round_off) * dt ? next_time : time + dt;
 }
 
-/// All of a step, or one of the parts of Subcycling, in which all nodes move and the particles of
+/// All of a step, or one of the parts of Subcycling, in which nodes move and the particles of
 /// tiles that end their own steps.
 void take_part(const Scene& scene, double next_time, double& dt, State& state, StepResult& result) {
   StepTally tally;

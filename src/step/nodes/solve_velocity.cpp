@@ -50,10 +50,16 @@ struct SolveVelocity {
     PrescribedVelocities velocities;
   };
 
-  /// Whole sums of the nodes of a patch that share y and z: its own part and its neighbours', in
+  /// Those of a row from the first to behind the last that are in a group.
+  struct Span {
+    int begin, end;
+  };
+
+  /// Whole sums of nodes of a patch that share y and z: its own part and its neighbours', in
   /// lexicographic order of the tiles.
-  KOKKOS_INLINE_FUNCTION void add_parts(int tile, int y, int z, double* total) const {
-    for (int i = 0; i < patch.nodes * sum_components; ++i) total[i] = 0.0;
+  KOKKOS_INLINE_FUNCTION void add_parts(int tile, int y, int z, const Span& span, double* total)
+      const {
+    for (int i = span.begin * sum_components; i < span.end * sum_components; ++i) total[i] = 0.0;
     const int side = 2 * patch.near + 1;
     for (int oz = -patch.near_along(2); oz <= patch.near_along(2); ++oz) {
       const int from_z = z - oz * patch.tile_cells;
@@ -62,20 +68,24 @@ struct SolveVelocity {
         const int from_y = y - oy * patch.tile_cells;
         if (from_y < 0 || from_y >= patch.nodes) continue;
         const int k = ((oz + patch.near_along(2)) * side + oy + patch.near) * side;
-        add_row_parts(tile, k, (from_z * patch.nodes + from_y) * patch.nodes, total);
+        add_row_parts(tile, k, (from_z * patch.nodes + from_y) * patch.nodes, span, total);
       }
     }
   }
   /// The same of the neighbours along x from the k-th on, whose row of nodes begins at a slot.
-  KOKKOS_INLINE_FUNCTION void add_row_parts(int tile, int k, int slot, double* total) const {
+  KOKKOS_INLINE_FUNCTION void add_row_parts(
+      int tile, int k, int slot, const Span& span, double* total
+  ) const {
     for (int ox = -patch.near; ox <= patch.near; ++ox, ++k) {
       const int other = neighbours(tile * patch.neighbours + k);
       if (other < 0) continue;
-      const int begin = patch.overlap_begin(ox);
+      const int first = patch.overlap_begin(ox), last = patch.overlap_end(ox);
+      const int begin = first > span.begin ? first : span.begin;
+      const int end = last < span.end ? last : span.end;
       const double* const from =
           &sums(first_sum(patch, other)) + (slot + begin - ox * patch.tile_cells) * sum_components;
       double* const to = total + begin * sum_components;
-      for (int i = 0; i < (patch.overlap_end(ox) - begin) * sum_components; ++i) to[i] += from[i];
+      for (int i = 0; i < (end - begin) * sum_components; ++i) to[i] += from[i];
     }
   }
 
@@ -246,15 +256,17 @@ struct SolveVelocity {
   }
 
   /// Sums of a row of nodes. Without branches for the compiler to vectorise.
-  KOKKOS_INLINE_FUNCTION bool are_zero(const double* row) const {
+  KOKKOS_INLINE_FUNCTION bool are_zero(const double* row, const Span& span) const {
     int others = 0;
-    for (int i = 0; i < patch.nodes * sum_components; ++i) others |= row[i] != 0.0 ? 1 : 0;
+    for (int i = span.begin * sum_components; i < span.end * sum_components; ++i)
+      others |= row[i] != 0.0 ? 1 : 0;
     return others == 0;
   }
   /// Whether a tile wants nothing of the nodes that share y and z: neither its particles nor loads
   /// reach them, and they count elsewhere. Particles that have spread leave most rows so.
   KOKKOS_INLINE_FUNCTION bool is_unreached(int tile, int row) const {
-    if (!are_zero(&sums(first_sum(patch, tile)) + row * sum_components)) return false;
+    if (!are_zero(&sums(first_sum(patch, tile)) + row * sum_components, {0, patch.nodes}))
+      return false;
     const unsigned char* const counted = &counts(tile * patch.size + row);
     for (int x = 0; x < patch.nodes; ++x)
       if (counted[x] != 0) return false;
@@ -262,25 +274,27 @@ struct SolveVelocity {
   }
   /// Whole sums of a row. Of a tile that may be dormant all nodes are asked whether they move.
   /// @return whether the tile wants anything of them
-  KOKKOS_INLINE_FUNCTION bool sum_row(int tile, int y, int z, double* total) const {
+  KOKKOS_INLINE_FUNCTION bool sum_row(int tile, int y, int z, const Span& span, double* total)
+      const {
     const bool may_rest = !dormant.is_candidate(tile);
     if (may_rest && is_unreached(tile, (z * patch.nodes + y) * patch.nodes)) return false;
-    add_parts(tile, y, z, total);
-    return !(may_rest && are_zero(total));
+    add_parts(tile, y, z, span, total);
+    return !(may_rest && are_zero(total, span));
   }
-  KOKKOS_INLINE_FUNCTION void rest_row(int tile, int row) const {
+  KOKKOS_INLINE_FUNCTION void rest_row(int tile, int row, const Span& span) const {
     constexpr int width = motion_components(dimensions);
     double* const moved = &motion(first_motion(patch, tile)) + row * width;
-    for (int i = 0; i < patch.nodes * width; ++i) moved[i] = 0.0;
+    for (int i = span.begin * width; i < span.end * width; ++i) moved[i] = 0.0;
   }
 
   KOKKOS_INLINE_FUNCTION bool is_in(const NodeGroup& group, int tile, int slot) const {
     return group.all || subcycling.node_period(tile * patch.size + slot) == group.period;
   }
-  KOKKOS_INLINE_FUNCTION bool any_is_in(const NodeGroup& group, int tile, int row) const {
-    bool any = group.all;
-    for (int x = 0; x < patch.nodes && !any; ++x) any = is_in(group, tile, row + x);
-    return any;
+  KOKKOS_INLINE_FUNCTION Span span_in(const NodeGroup& group, int tile, int row) const {
+    Span out{0, patch.nodes};
+    while (out.begin < out.end && !is_in(group, tile, row + out.begin)) ++out.begin;
+    while (out.begin < out.end && !is_in(group, tile, row + out.end - 1)) --out.end;
+    return out;
   }
   /// An impedance lets a velocity change less than in proportion to the length of the step: bounds
   /// of steps of one length do not hold for others.
@@ -293,10 +307,11 @@ struct SolveVelocity {
       int tile, int y, int z, const NodeGroup& group, double (&part)[tally_components][2]
   ) const {
     const int row = (z * patch.nodes + y) * patch.nodes;
-    if (!any_is_in(group, tile, row)) return false;
+    const Span span = span_in(group, tile, row);
+    if (span.begin == span.end) return false;
     alignas(64) double total[max_patch_nodes * sum_components];
-    if (!sum_row(tile, y, z, total)) {
-      rest_row(tile, row);
+    if (!sum_row(tile, y, z, span, total)) {
+      rest_row(tile, row, span);
       return false;
     }
     const TilePosition at = tile_frame(tile).position;
@@ -312,10 +327,11 @@ struct SolveVelocity {
     const NodeScales& scales = group.scales;
     NodePlace place{{}, at.level};
     for (int d = 0; d < 3; ++d) place.index[d] = at[d] * patch.tile_cells - patch.reach;
+    place.index[0] += span.begin;
     place.index[1] += y;
     place.index[2] += z;
     bool prescribed = false;
-    for (int x = 0; x < patch.nodes; ++x, ++place.index[0]) {
+    for (int x = span.begin; x < span.end; ++x, ++place.index[0]) {
       const double* const node = total + x * sum_components;
       double* const out = moved + x * motion_components(dimensions);
       if (!is_in(group, tile, row + x)) continue;

@@ -27,7 +27,7 @@ TEST(LoadTraits, EveryKindActsSomewhere) {
 /// How many sets of a state have loads by that field.
 int visits(const State& state, const std::vector<Particles>& sets, Field Particles::*needed) {
   int count = 0;
-  const Tractions tractions{state.grid, state.loads, sets, state.nodes};
+  const Tractions tractions{state.grid, state.loads, sets, state.nodes, state.subcycling};
   for_each_loaded_set(tractions, needed, [&](const auto& set) {
     EXPECT_EQ(set.particles.count, sets[0].count);
     ++count;
