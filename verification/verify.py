@@ -66,6 +66,8 @@ def main():
     for name in options.cases or CASES:
         result = importlib.import_module(f"cases.{name}").run(options.barreno.resolve(), options.full)
         data = dataclasses.asdict(result)
+        if not data["curves"]:
+            del data["curves"]
         print(report(name, data, options.full))
         failed = failures(name, result.checks, options.full)
         for line in failed:

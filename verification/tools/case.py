@@ -12,6 +12,7 @@ class Result:
     rows: list
     checks: list = dataclasses.field(default_factory=list)
     notes: str = ""
+    curves: dict = dataclasses.field(default_factory=dict)  # label -> [[x, y]], of a picture whose points are too many for rows
 
     def demand(self, what, value, limit, at_least=False):
         """The measured value must not exceed the limit (or not fall below it). What is known not to hold is in open_demands.toml."""

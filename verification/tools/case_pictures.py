@@ -23,6 +23,7 @@ from tools.case_list import DOCS, cases, stored
 KEY = "Figures"  # of the digest in the PNG file
 DRAWING = 3  # raised when draw() changes what a picture looks like, so that all are drawn anew
 MARKS = "osD^vP"
+MOST_MARKS = 40  # of a curve; one of more points has none
 MOST_TICKS = 5  # of an axis whose ticks are the values themselves
 SHORT_SPAN = 200.0  # of a logarithmic axis, below which powers of ten alone would leave it without numbers
 
@@ -34,7 +35,9 @@ def file_of(name, entry):
 
 
 def curves_of(picture, data):
-    """{label: [(x, y)]} from the rows of a case."""
+    """{label: [(x, y)]} from the rows of a case, or its curves."""
+    if picture.get("curves"):
+        return {label: [tuple(point) for point in points] for label, points in data["curves"].items()}
     column = {}
     for i, name in enumerate(data["columns"]):
         column.setdefault(name, i)
@@ -96,7 +99,8 @@ def draw(file, title, picture, curves):
     figure, axes = plt.subplots(figsize=(5.6, 4.2), layout="constrained")
     for i, (label, points) in enumerate(curves.items()):
         # Hollow marks of several sizes: curves that coincide are all seen.
-        axes.plot(*zip(*points), "-", marker=MARKS[i % len(MARKS)], mfc="none", ms=4.0 + 1.2 * (len(curves) - 1 - i), lw=1.2, color=f"C{i}",
+        marker = MARKS[i % len(MARKS)] if len(points) <= MOST_MARKS else None
+        axes.plot(*zip(*points), "-", marker=marker, mfc="none", ms=4.0 + 1.2 * (len(curves) - 1 - i), lw=1.2, color=f"C{i}",
             label=label or None)
     if "over" not in picture and not picture.get("linear"):
         axes.set(xscale="log", yscale="log")
