@@ -100,7 +100,8 @@ def young_modulus(card):
 def self_check():
     v, length, rod, target = 3000.0, 0.04, 17600.0, 7830.0
     off = {}
-    off["without strength: l sqrt(rho_p / rho_t)"] = penetrate(v, length, rod, target, 0.0, 0.0).depth / (length * (rod / target) ** 0.5) - 1.0
+    fluid = length * (rod / target) ** 0.5
+    off["without strength: l sqrt(rho_p / rho_t)"] = penetrate(v, length, rod, target, 0.0, 0.0).depth / fluid - 1.0
     # Y = R: u = v / (1 + mu), and dl/dv = rho_p l v mu / ((1 + mu) Y).
     mu, both = (target / rod) ** 0.5, 4e9
     exact = length / mu * (1.0 - np.exp(-rod * mu * v**2 / (2.0 * both * (1.0 + mu))))
