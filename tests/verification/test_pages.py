@@ -38,6 +38,13 @@ class Pages(unittest.TestCase):
         self.assertIsNone(stored_digest(ROOT / "docs" / "pictures" / "arenisca_cost.png"))
         self.assertIsNotNone(stored_digest(ROOT / "docs" / "pictures" / "case_bar_wave.png"))
 
+    def test_a_picture_of_curves_is_of_their_points(self):
+        picture = {"curves": True, "x": "time", "y": ["depth"]}
+        data = {"columns": [], "rows": [], "curves": {"a rod": [[0.0, 0.0], [1.0, 2.0]]}}
+        other = {**data, "curves": {"a rod": [[0.0, 0.0], [1.0, 2.5]]}}
+        self.assertEqual(curves_of(picture, data), {"a rod": [(0.0, 0.0), (1.0, 2.0)]})
+        self.assertNotEqual(digest(picture, curves_of(picture, data)), digest(picture, curves_of(picture, other)))
+
     def test_a_figure_without_a_file_is_found(self):
         for words in ("It takes 42.4 s instead of 58.4 s.", "12 % of the energy", "132 MB in all", "120 ns per particle-step"):
             self.assertTrue(pages.loose_figures("docs/performance.md", words), words)
