@@ -14,14 +14,15 @@ COUNT, RADIUS, SHORT, VELOCITY = 10, 1.0, 4.0, 3000.0  # pieces, of this length 
 LENGTH = COUNT * SHORT  # of metal [mm]
 ROD, TARGET = "tungsten_alloy.xml", "steel_4340_fracture.xml"
 CARDS = ROOT / "materials" / "cards"
-WIDE, FINE_TO = 30.0, 6.0  # radii of the target and of the small cells [mm]
+WIDE, FINE_WIDE = 30.0, 5.0  # radii of the target and of the small cells [mm]
 COARSE = 5.0 / 3.0  # cells elsewhere, two in 2.4 of the coarsest small cells [mm]
 LEVELS = {1.2: 1, 2.4: 2, 4.8: 3}  # cells per radius -> Refinement/Path/Level
 GAPS = (0, 1, 3)  # in lengths of a piece
 NAMES = {0: "whole rod", 1: "gaps of one length", 3: "gaps of three lengths"}
-DEEP = {0: 75.0, 1: 100.0, 3: 90.0}  # of the target: the hole and half of that or more [mm]
+DEEP = {0: 90.0, 1: 135.0, 3: 110.0}  # of the target: half as much again as the hole [mm]
+FINE_DEEP = {0: 66.0, 1: 100.0, 3: 85.0}  # of the small cells [mm]
 ABOVE = {0: 48.0, 1: 16.0, 3: 16.0}  # the target's face: room for a piece that is born, and for what is thrown back [mm]
-END = {0: 50.0, 1: 85.0, 3: 110.0}  # us
+END = {0: 50.0, 1: 100.0, 3: 130.0}  # us
 LATE = 0.2  # of the time since the impact, in which a hole at rest no longer grows
 ROD_STRENGTH = (1.0, 1.7)  # Tate's strength of a rod over its flow stress
 STRAIN = 1.0  # plastic, to which the flow stress is a mean
@@ -92,7 +93,7 @@ def settings_of(train, cells, end):
         "Materials/Rod/Card": ROD, "Materials/Rod/A": "", "Materials/Rod/B": "", "Materials/Target/Card": TARGET,
         "Materials/Target/A": "", "Materials/Target/B": "", "Grid/Lower": f"{{0 mm, {low:.12g} mm}}",
         "Grid/Upper": f"{{{whole(WIDE + 4.0):.12g} mm, {whole(deep + 8.0):.12g} mm}}", "Grid/Cell Size": f"{COARSE:.12g} mm",
-        "Refinement/Path/Lower": f"{{0 mm, {low:.12g} mm}}", "Refinement/Path/Upper": f"{{{FINE_TO:g} mm, {deep:.12g} mm}}",
+        "Refinement/Path/Lower": f"{{0 mm, {low:.12g} mm}}", "Refinement/Path/Upper": f"{{{FINE_WIDE:g} mm, {FINE_DEEP[train.gap]:g} mm}}",
         "Refinement/Path/Level": str(LEVELS[cells]), "Jet/Cells Per Radius": "0", "Jet/Particles Per Cell": "4",
         "Jet/Launch Position": f"{train.launch:g} mm", "Jet/Slugs": f"{len(train.times)}x5:{{{table}}}",
         "Bodies/Block/Upper": f"{{{whole(WIDE):.12g} mm, {deep:.12g} mm}}", "Bodies/Block/Particles Per Cell": "2",
