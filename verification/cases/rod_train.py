@@ -64,12 +64,14 @@ TRAINS = {gap: Train(NAMES[gap], gap) for gap in GAPS}
 def extra_trains():
     """Experiments on the reasons: {key: (train, cells per radius, end)}."""
     neither = Train("no strength of rod and target, to 36 us", more=(*strengths("Target", 0.0), *strengths("Rod", 0.0)))
+    again = (("Step/Courant Fraction", "0.80001"),)
     return {
         "soft": (Train("whole rod, target 10 % weaker", more=strengths("Target", 0.9)), (2.4,), END[0]),
         "hard": (Train("whole rod, target 10 % stronger", more=strengths("Target", 1.1)), (2.4,), END[0]),
         "limp": (Train("whole rod with a tenth of its strength", more=strengths("Rod", 0.1)), (2.4,), END[0]),
         "neither": (neither, (1.2, 2.4), 36.0),
         "alone": (Train("one piece alone", 3, 1), (2.4,), 20.0),
+        **{f"again {gap}": (Train(f"{NAMES[gap]}, Courant Fraction 0.80001", gap, more=again), (2.4,), END[gap]) for gap in GAPS},
     }
 
 
@@ -227,6 +229,9 @@ def words_of(holes, theory_):
         "free_small": holes["neither", 1.2].rate, "free": holes["neither", 2.4].rate,
         "fluid": VELOCITY / (1.0 + (card(TARGET)["Density"] / card(ROD)["Density"]) ** 0.5),
         "small_rate": small.rate, "coarse_rate": coarse.rate}  # fmt: skip
+    for gap in GAPS:
+        words[f"scatter_{gap}"] = 100.0 * abs(holes[f"again {gap}", 2.4].depth / holes[gap, 2.4].depth - 1.0)
+        words[f"volume_scatter_{gap}"] = 100.0 * abs(holes[f"again {gap}", 2.4].volume / holes[gap, 2.4].volume - 1.0)
     alone = holes["alone", 2.4]
     words |= {"alone": alone.depth / SHORT, "lasts": alone.spent, "alone_after": later(alone),
         "alone_shocks": 100.0 * alone.shocks / alone.launched}  # fmt: skip
