@@ -45,7 +45,8 @@ END = """### What theory says
 
 Theory does not bound this depth. By its length the jet digs 317 mm (`./barreno jet input_xml/perforation.xml`, hydrodynamic, without
 strength), less than two thirds of what is computed: its slugs have gaps of a dozen lengths, each digs a crater of its own, and spent metal
-goes on. Rods of metal show the same: ten rods with gaps dig deeper than one of the same length.
+goes on. Rods of metal show the same: ten rods with gaps dig half as deep again as one of the same length
+([rod_train](verification/rod_train.md)).
 
 With divided particles `check`, screen, summary and report give the depth with an interval until {rest} us, and that of the hole as wide as
 the jet at rest. Of other jets, and of the depth later, the error is still "unknown". Two single runs must differ by three times the standard
