@@ -174,6 +174,10 @@ bool next_line(std::istream& deck, std::string& line) {
   return false;
 }
 
+bool ends_a_line(const std::string& text) {
+  return !text.empty() && text.back() == '\n';
+}
+
 }  // namespace
 
 Checkpoint find_checkpoint(const Comm& comm, const fs::path& folder) {
@@ -211,7 +215,8 @@ std::string deck_difference(const std::string& kept, const std::string& found) {
   for (int line = 1;; ++line) {
     const bool more = next_line(one, a);
     const bool other_more = next_line(other, b);
-    if (!more && !other_more) return {};
+    if (!more && !other_more)
+      return ends_a_line(kept) == ends_a_line(found) ? "" : "the last line has no end";
     if (!more) a = "nothing";
     if (!other_more) b = "nothing";
     if (a == b || may_differ(a, b)) continue;

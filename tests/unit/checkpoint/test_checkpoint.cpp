@@ -229,6 +229,7 @@ TEST(DeckDifference, NamesTheFirstLineButNotTheEndTime) {
       deck_difference(deck, "a\n  name=\"End Time\" value=\"1\"\n  c\n"), "line 3: b against c"
   );
   EXPECT_EQ(deck_difference("a\n", "a\nb\n"), "line 2: nothing against b");
+  EXPECT_EQ(deck_difference("a\nb", "a\nb\n"), "the last line has no end");
 }
 
 }  // namespace
