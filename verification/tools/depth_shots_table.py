@@ -8,7 +8,8 @@ from tools.case_list import RESULTS
 from tools.depth_shots import KINDS, SHOTS, STEP, TIMES, widest_slug
 
 DECK = "the deck"
-MADE_FROM = (DECK, "no confinement", "no steel casing")  # shots that the intervals are made from; others try them
+# Shots that the intervals are made from; others try them.
+MADE_FROM = (DECK, "no confinement", "no steel casing", "losses returned to metals")
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 WHAT = ("depth", "probed depth", "volume")
