@@ -72,7 +72,7 @@ def ways(finished, cells, particles, splits):
 def measure(barreno, cells, particles, splits):
     settings = {
         "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles), "Jet/Splits": str(splits),
-        "Output/Field Interval": "40 us", "Time/End Time": "205 us",
+        "Step/Return Losses": "false", "Output/Field Interval": "40 us", "Time/End Time": "205 us",
     }  # fmt: skip
     return ways(run_deck(barreno, "perforation.xml", settings), cells, particles, splits)
 

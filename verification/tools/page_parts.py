@@ -29,6 +29,7 @@ from fits import synthetic_results
 from tools import trade_page
 from tools import uncertainty_parts
 from performance import wet_time
+from performance import whole_shot
 from tools import validation_part
 from tools.case_list import RESULTS
 from tools.verification_pages import table
@@ -85,6 +86,7 @@ PARTS = {
     "validation_experiments": validation_part.sections,
     "validation_fails": validation_part.fails,
     "wet_time.py": wet_time.stored_part,
+    "whole_shot.py": whole_shot.stored_part,
     **paper_parts.PARTS,
 }
 
