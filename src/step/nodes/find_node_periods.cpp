@@ -4,6 +4,7 @@
 #include "base/launch.hpp"
 #include "base/region.hpp"
 #include "grid/halo.hpp"
+#include "step/subcycle/count_rows.hpp"
 #include "step/subcycle/tile_exits.hpp"
 
 namespace barreno {
@@ -44,17 +45,7 @@ void find_holding_tiles(
     const Grid& grid, const std::vector<Particles>& sets, const Subcycling& subcycling
 ) {
   const ArrayView<int> rows = subcycling.entrants;
-  launch(
-      "clear_rows", range(grid.active), KOKKOS_LAMBDA(const int tile) { rows(tile) = 0; }
-  );
-  for (const Particles& particles : sets) {
-    const ArrayView<int> tile_begin = particles.tile_begin;
-    launch(
-        "count_rows",
-        range(grid.active),
-        KOKKOS_LAMBDA(const int tile) { rows(tile) += tile_begin(tile + 1) - tile_begin(tile); }
-    );
-  }
+  count_rows(grid, sets, rows);
   const ArrayView<double> told = subcycling.reach;
   launch(
       "find_holding_tiles",

@@ -7,6 +7,7 @@
 #include "grid/halo.hpp"
 #include "state/nodes.hpp"
 #include "step/stable_step_rule.hpp"
+#include "step/subcycle/count_rows.hpp"
 #include "step/subcycle/reached_tiles.hpp"
 #include "step/subcycle/stray_rule.hpp"
 #include "step/subcycle/tile_exits.hpp"
@@ -148,17 +149,7 @@ void start_periods(
     const TileReach& reach
 ) {
   const ArrayView<int> rows = reach.entrants;
-  launch(
-      "clear_rows", range(grid.active), KOKKOS_LAMBDA(const int tile) { rows(tile) = 0; }
-  );
-  for (const Particles& particles : sets) {
-    const ArrayView<int> tile_begin = particles.tile_begin;
-    launch(
-        "count_rows",
-        range(grid.active),
-        KOKKOS_LAMBDA(const int tile) { rows(tile) += tile_begin(tile + 1) - tile_begin(tile); }
-    );
-  }
+  count_rows(grid, sets, rows);
   launch(
       "start_periods",
       range(grid.active),
