@@ -9,7 +9,8 @@ Runs of perforation.xml with --fidelity fast, one core each; some minutes a row,
 import sys
 
 from tools import foreign_python  # noqa: F401
-from tools.elastic_shares_table import INTERVAL, ROWS, STORED
+from tools.elastic_shares_table import INTERVAL, ROWS, STORED, WORD
+from tools.elastic_shares_table import ROCK as ROCK_ENTRY
 from tools.plug import card_numbers
 from tools.runs import ROOT, run_deck
 from tools.stored_energy import RockEnergy, Rows, metal, rock_history
@@ -24,11 +25,14 @@ def numbers_of(material, entries):
     """Of a card with the values that a row changes, in SI."""
     numbers = card_numbers(ROOT / "materials" / "cards" / f"{CARDS[material]}.xml")
     begin = f"Materials/{material}/"
-    return {**numbers, **{name.removeprefix(begin): float(value) for name, value in entries.items() if name.startswith(begin)}}
+    own = {name.removeprefix(begin): value for name, value in entries.items() if name.startswith(begin)}
+    return {**numbers, **{name: float(value) for name, value in own.items() if name != WORD}}
 
 
 def measured(barreno, entries):
-    finished = run_deck(barreno, "perforation.xml", {"Fidelity": "fast", "Output/Field Interval": f"{INTERVAL} us", **entries})
+    softens = entries.get(ROCK_ENTRY + WORD, "constant") == "constant"
+    fields = {"Output/Field Interval": f"{INTERVAL if softens else 0} us"}
+    finished = run_deck(barreno, "perforation.xml", {"Fidelity": "fast", **fields, **entries})
     energy = finished.summary["balances"]["energy"]
     found = {name: energy[name] for name in SHARES}
     found["materials"] = energy["materials"]
@@ -38,10 +42,12 @@ def measured(barreno, entries):
         if material != ROCK:
             own.update(metal(finished, index, card))
             continue
-        law = RockEnergy(card)
+        law = RockEnergy(card, softens)
         own["stored"] = law.stored(Rows(finished, index, card["Density"]))
-        own.update(rock_history(finished, index + 1, law, card["Density"]))
-    return found
+        if softens:
+            own.update(rock_history(finished, index + 1, law, card["Density"]))
+    penetration = finished.summary["penetration"]
+    return {**found, **{name: penetration[name] for name in ("depth", "probed_depth", "channel_volume")}}
 
 
 if __name__ == "__main__":

@@ -24,17 +24,17 @@ def integral(function, start, end):
 
 
 class RockElasticity:
-    """@param card  numbers of a card in SI   @param dilated  rock of more volume than virgin rock, whose moduli are constant"""
+    """@param card  numbers of a card in SI   @param constant  dilated rock whose moduli pressure does not change"""
 
-    def __init__(self, card, dilated=False):
-        self.card, self.dilated = card, dilated
+    def __init__(self, card, constant=False):
+        self.card, self.constant = card, constant
 
     def get(self, name):
         return self.card.get(name, 0.0)
 
     def grain_share(self, p):
         """exp(B2/I1): how far the grains bear the pressure."""
-        if self.dilated:
+        if self.constant:
             return np.zeros_like(np.asarray(p, float))
         return np.exp(-self.get("B2") / (3.0 * np.maximum(p, 1.0))) * (np.asarray(p) > 0.0)
 
@@ -49,7 +49,7 @@ class RockElasticity:
         share, p = self.grain_share(p), np.asarray(p, float)
         grains = self.get("B0") + (self.get("B1") + self.get("Grain stiffening") * np.maximum(p, 0.0)) * share
         start, end = self.get("Transition start"), self.get("Transition end")
-        if end == 0.0 or self.dilated:
+        if end == 0.0 or self.constant:
             return grains
         way = np.clip((p - start) / (end - start), 0.0, 1.0)
         return 1.0 / (1.0 / grains + 6.0 * self.get("Transition strain") * way * (1.0 - way) / (end - start))

@@ -9,7 +9,12 @@ STORED = RESULTS / "elastic_shares.json"
 INTERVAL = 0.5  # between fields [us]
 ROCK = "Materials/Sandstone/"
 JOB, CONTROL = "the main job", "rock with the constant moduli of its grains"
-ROWS = {JOB: {}, CONTROL: {ROCK + "B0": "35.34e9", ROCK + "B1": "0", ROCK + "G0": "26.505e9", ROCK + "G1": "0", ROCK + "G2": "0"}}
+PRESSED, WORD = "dilated rock with the moduli of its pressure", "Dilated moduli"
+ROWS = {
+    JOB: {},
+    CONTROL: {ROCK + "B0": "35.34e9", ROCK + "B1": "0", ROCK + "G0": "26.505e9", ROCK + "G1": "0", ROCK + "G2": "0"},
+    PRESSED: {ROCK + WORD: "pressure"},
+}
 HEAD = ["material", "elastic", "of the energy put in", "stored at the end", "given by heat", "given by moduli", "plastic", "viscous"]
 METALS = ("Tungsten", "Steel")
 
@@ -38,7 +43,7 @@ def rows_of(one):
 
 def lines():
     found = json.loads(STORED.read_text())
-    job, control = found[JOB], found[CONTROL]
+    job, control, pressed = found[JOB], found[CONTROL], found[PRESSED]
     rock, own = job["materials"]["Sandstone"], control["materials"]["Sandstone"]
     heat = sum(given(job["materials"][name]) for name in METALS)
     total = heat + given(rock)
@@ -55,6 +60,21 @@ def lines():
         "",
         f"The same shot with constant moduli of the rock ({control_words()}) ends with {kilo(own['elastic'])} kJ of the rock's elastic "
         f"energy and {kilo(stored(own))} kJ stored: moduli gave {kilo(given(own))} kJ.",
+        "",
+        *pressed_lines(pressed),
+    ]
+
+
+def pressed_lines(pressed):
+    """What is left where dilation changes no moduli."""
+    own = pressed["materials"]["Sandstone"]
+    answers = "the tip is at {:.0f} mm, the hole as wide as the jet to {:.0f} mm, its volume is {:.1f} cm3".format(
+        1e3 * pressed["depth"], 1e3 * pressed["probed_depth"], 1e6 * pressed["channel_volume"]
+    )
+    return [
+        f"With `Dilated moduli` = `pressure` dilated rock keeps the moduli of its pressure, and the onset of dilation creates nothing "
+        f"([closed_cycles](verification/closed_cycles.md)). The rock of the shot then ends with {kilo(own['elastic'])} kJ and "
+        f"{kilo(stored(own))} kJ stored: moduli gave {kilo(given(own))} kJ, and {answers}.",
     ]
 
 

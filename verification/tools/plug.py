@@ -42,6 +42,12 @@ def card_numbers(card):
     return numbers
 
 
+def softens(card):
+    """Whether rock of a card loses the moduli of its pressure where it dilates: by its word, and as published without one."""
+    words = {entry.get("name"): entry.get("value") for entry in xml.parse(card).getroot().iter("Parameter")}
+    return words.get("Dilated moduli", "constant") == "constant"
+
+
 class Plug:
     """One point under axial strain and constant pressure at the side."""
 

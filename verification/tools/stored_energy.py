@@ -57,8 +57,8 @@ def metal(run, material, card):
 class RockEnergy:
     """Stored energy of dry rock per volume, by its stress and whether it has dilated."""
 
-    def __init__(self, card):
-        self.whole, self.dilated = RockElasticity(card), RockElasticity(card, dilated=True)
+    def __init__(self, card, softens=True):
+        self.whole, self.dilated = RockElasticity(card), RockElasticity(card, constant=softens)
         self.pressures = np.concatenate([[0.0], np.geomspace(1e4, 6e10, FINE)])
         pairs = zip(self.pressures[:-1], self.pressures[1:])
         self.energies = np.concatenate([[0.0], np.cumsum([integral(lambda p: p / self.whole.bulk(p), a, b) for a, b in pairs])])

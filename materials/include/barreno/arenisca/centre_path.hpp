@@ -45,7 +45,7 @@ BARRENO_FUNCTION CentrePath integrate_path(
       0.2369268850561891,
       0.2369268850561891};
   constexpr double negligible = 1.0 / 25.0;  // nearer to 0 than this part of B2 exp(B2/x) is none
-  const bool constant = elasticity.B1 == 0.0 || elasticity.B2 == 0.0 || Elasticity::dilated(e);
+  const bool constant = elasticity.B1 == 0.0 || elasticity.B2 == 0.0 || elasticity.dilated(e);
   const auto slope = [&](double x) {
     const double drained = elasticity.moduli_at(x, e).bulk;
     return phi < 0.0 ? CentrePath{1.0 / (3.0 * drained), 0.0} : slope_of_path(fluid, drained, phi);

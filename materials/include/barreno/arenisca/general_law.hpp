@@ -32,6 +32,10 @@ struct ElasticityAboutCentre {
   const PointRock* points;
 
   BARRENO_FUNCTION const Elasticity& drained() const { return points[0].rock.elasticity; }
+  BARRENO_FUNCTION MaskOf<R> dilated(const R& e) const { return drained().dilated(e); }
+  BARRENO_FUNCTION R seen_from(const R& begin, const R& end) const {
+    return drained().seen_from(begin, end);
+  }
   BARRENO_FUNCTION ModuliOf<R> moduli_at(const R& x, const R& e) const {
     ModuliOf<R> m = drained().moduli_at(x, e);
     if (!points[0].wet()) return m;

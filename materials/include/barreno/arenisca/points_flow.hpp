@@ -289,7 +289,7 @@ BARRENO_FUNCTION void finish_flow(
   const R start_work = f.x * third + 2.0 * f.scale * dot(f.s, dep);
   const R mean_work = 0.5 * (start_work + end_work);
   a.plastic_work = real::select(mean_work >= 0.0, mean_work, end_work);
-  a.moduli = rock.elasticity.moduli_at(r.x, Elasticity::seen_from(p.evp, r.evp));
+  a.moduli = rock.elasticity.moduli_at(r.x, rock.elasticity.seen_from(p.evp, r.evp));
   if constexpr (Law::wet) {
     a.pores = pores_after(rock, step, p, r);
     a.elastic_work = work_of_stress(step, a) - a.plastic_work;

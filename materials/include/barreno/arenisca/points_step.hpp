@@ -153,7 +153,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
   AttemptOf<R, Law> a{};
   if (real::any(flows)) {
     a = flow_points(rock, flows, step, p, m, choose);
-    const MaskOf<R> jumps = flows & is_at_jump(rock, n.evp) & Elasticity::dilated(a.end.evp);
+    const MaskOf<R> jumps = flows & is_at_jump(rock, n.evp) & rock.elasticity.dilated(a.end.evp);
     if (real::any(jumps)) begin_to_dilate(rock, jumps, step, p, choose, a);
   }
   a.elastic = inside;

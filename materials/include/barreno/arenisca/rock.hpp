@@ -55,7 +55,7 @@ using Rock = DryRock<PublishedParts>;
 /// crosses the jump of the moduli where it begins.
 template <class R, class Law>
 BARRENO_FUNCTION MaskOf<R> is_at_jump(const Law& rock, const R& evp) {
-  return (evp >= -rock.jump_width) & !Elasticity::dilated(evp);
+  return (evp >= -rock.jump_width) & !rock.elasticity.dilated(evp);
 }
 
 /// Bulk moduli of what fills a volume of saturated rock [stress].

@@ -35,8 +35,8 @@ struct ElasticStateOf {
 /// Nonlinear isotropic elasticity of the drained rock, I1 = tr(sigma), tension positive; of one
 /// point or several (real.hpp).
 ///
-///   I1 >= 0 or evp > 0:    K = B0, G = G0
-///   I1 < 0 and evp <= 0:   K = B0 + B1 exp(B2/I1) - B3 exp(B4/evp)   (last term for evp < 0)
+///   I1 >= 0 or evp > 0:    K = B0, G = G0   (evp > 0: with `Dilated moduli` = constant)
+///   else:                  K = B0 + B1 exp(B2/I1) - B3 exp(B4/evp)   (last term for evp < 0)
 ///                          nu = G1 + G2 exp(B2/I1), G = 1.5 K (1 - 2 nu)/(1 + nu)   if G1 and G2
 ///                          are both set
 ///
@@ -49,13 +49,16 @@ struct ElasticStateOf {
 /// the logarithmic volume strain of the transition, which a return of the pressure undoes. G is
 /// that of K without either: grains yield before it matters.
 ///
-/// Dilated rock (evp > 0) keeps the low-pressure moduli until it is compacted again. The published
-/// benchmark 08 depends on it (I1 = -1481 with it, -1527 without, at the seventh way point).
+/// As published, dilated rock (evp > 0) keeps the low-pressure moduli until it is compacted again.
+/// Benchmark 08 depends on it (I1 = -1481 with it, -1527 without, at the seventh way point). Rock
+/// that begins to dilate under pressure then gives back work that it never took up; with
+/// `Dilated moduli` = pressure it keeps the moduli of its pressure, and nothing jumps.
 struct Elasticity {
   struct Parameters {
     double B0, B1, B2, B3, B4;
     double G0, G1, G2, G3, G4;
     double grain_stiffening, transition_strain, transition_start, transition_end;
+    int dilated_moduli;
   };
   static ParameterTable<Parameters> parameter_table() {
     using P = Parameters;
@@ -114,7 +117,12 @@ struct Elasticity {
              0.0,
              "p_e: mean pressure at which it is complete"
          )},
-        {}};
+        {{&P::dilated_moduli,
+          "Dilated moduli",
+          {"constant", "pressure"},
+          0,
+          "moduli of dilated rock: B0 and G0, as published, or those of its pressure, so that the "
+          "onset of dilation creates no work"}}};
   }
   static std::string check(const Parameters& p) {
     std::string problem;
@@ -125,6 +133,7 @@ struct Elasticity {
   static Elasticity make(const Parameters& p) {
     Elasticity e{p.B0, p.B1, p.B2, p.B3, p.B4, p.G0, p.G1, p.G2};
     e.stiffening = p.grain_stiffening;
+    if (p.dilated_moduli == of_pressure) e.jump = HUGE_VAL;
     if (p.transition_strain == 0.0) return e;
     e.per_transition = 1.0 / (p.transition_end - p.transition_start);
     e.transition_start = p.transition_start;
@@ -137,24 +146,28 @@ struct Elasticity {
   double transition_compliance = 0.0;  ///< 6 D/(p_e - p_s) [1/stress]; 0: no transition
   double transition_start = 0.0, per_transition = 0.0;
 
+  enum DilatedModuli { constant = 0, of_pressure = 1 };
   /// The moduli jump where rock becomes dilated; |evp| below this counts as at the jump (round-off
   /// of an isochoric flow is not dilation).
   static constexpr double at_jump = 1e-12;
+  double jump = at_jump;  ///< plastic volume strain above which pressure changes no moduli
+  /// Whether the moduli are those without pressure.
   template <class R>
-  BARRENO_FUNCTION static MaskOf<R> dilated(const R& evp) {
-    return evp > at_jump;
+  BARRENO_FUNCTION MaskOf<R> dilated(const R& evp) const {
+    return evp > jump;
   }
   /// Plastic strain at which to take the moduli when the way to `evp_end` began at `evp_begin`: at
   /// the jump itself those of the side it came from.
   template <class R>
-  BARRENO_FUNCTION static R seen_from(const R& evp_begin, const R& evp_end) {
+  BARRENO_FUNCTION R seen_from(const R& evp_begin, const R& evp_end) const {
     const MaskOf<R> from_dilated = dilated(evp_begin) & (real::abs(evp_end) <= at_jump);
     return real::select(from_dilated, 2.0 * at_jump, evp_end);
   }
   /// Whether the jump lies between two plastic volume strains.
   template <class R>
   BARRENO_FUNCTION MaskOf<R> crosses_jump(const R& begin, const R& end) const {
-    if (B1 == 0.0 && B3 == 0.0 && !variable_ratio() && !grains_change()) return none_of<R>();
+    const bool changes = B1 != 0.0 || B3 != 0.0 || variable_ratio() || grains_change();
+    if (!changes || jump != at_jump) return none_of<R>();
     return ((begin < -at_jump) & (end > at_jump)) | ((begin > at_jump) & (end < -at_jump));
   }
   BARRENO_FUNCTION bool variable_ratio() const { return G1 != 0.0 && G2 != 0.0; }
@@ -164,9 +177,9 @@ struct Elasticity {
 
   template <class R>
   BARRENO_FUNCTION PressureTermOf<R> pressure_term(const R& I1, const R& evp) const {
-    const MaskOf<R> pressed = (I1 < 0.0) & (evp <= at_jump);
-    const bool constant = B1 == 0.0 && !variable_ratio() && !grains_change();
-    if (constant || !real::any(pressed)) return {};
+    const MaskOf<R> pressed = (I1 < 0.0) & (evp <= jump);
+    const bool same = B1 == 0.0 && !variable_ratio() && !grains_change();
+    if (same || !real::any(pressed)) return {};
     const R inverse = 1.0 / real::select(pressed, I1, -1.0);
     const R ratio = B2 * inverse;
     const R value = real::select(pressed, real::exp(ratio), 0.0);
@@ -234,7 +247,7 @@ struct Elasticity {
     constexpr double short_step = 0.01;
     const R change = x_end - n.x;
     const MaskOf<R> is_short =
-        (n.x < 0.0) & (n.evp <= at_jump) &
+        (n.x < 0.0) & (n.evp <= jump) &
         (real::abs(change) * (real::abs(n.x) + B2) <= short_step * n.x * n.x);
     R value = n.term.value + change * (n.term.slope + 0.5 * change * n.term.curvature);
     R coupled = n.coupling;
