@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What every range of the rock's card changes in the main job: depth, hole, crushed rock.
 
-    range_effects.py BARRENO [--study FOLDER] [--jobs N]    verification/results/range_effects.json, and docs/materials/arenisca.md
+    range_effects.py BARRENO [--card NAME] [--until TIME] [--study FOLDER] [--jobs N]    verification/results/range_effects.json,
+                                                                                        and docs/materials/arenisca.md
 
-Both ends of each range, one at a time, of perforation.xml with --fidelity fast; some minutes a run. --study keeps the runs: what is there
-is taken as it is.
+Both ends of each range of a card of rock, one at a time, of perforation.xml with --fidelity fast; some minutes a run. --study keeps the
+runs: what is there is taken as it is.
 """
 import argparse
 import json
@@ -15,7 +16,7 @@ import sys
 import tempfile
 
 from tools import foreign_python  # noqa: F401
-from tools.range_effects_table import STORED
+from tools.range_effects_table import OF_THE_JOB, STORED
 from tools.runs import DECKS
 from tools.write_pages import write_pages
 
@@ -43,18 +44,27 @@ def measured(study):
     return {"middle": middle, "rows": rows}
 
 
+def keep(card, until, found):
+    """Beside what is stored of other cards."""
+    known = json.loads(STORED.read_text()) if STORED.exists() else {}
+    STORED.write_text(json.dumps({**known, card: {"until": until, **found}}, indent=1) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", type=pathlib.Path)
+    parser.add_argument("--card", default=OF_THE_JOB, help="of materials/cards, without .xml; left out: that of the deck")
+    parser.add_argument("--until", metavar="TIME", help='end of the runs, as "120 us"; left out: that of the deck')
     parser.add_argument("--study", type=pathlib.Path, metavar="FOLDER")
     parser.add_argument("--jobs", type=int, metavar="N")
     options = parser.parse_args()
     os.environ["BARRENO_PROGRAM"] = str(options.barreno.resolve())
     with tempfile.TemporaryDirectory() as scratch:
         study = (options.study or pathlib.Path(scratch) / "study").resolve()
+        entries = {"Materials/Sandstone/Card": f"{options.card}.xml", **({"Time/End Time": options.until} if options.until else {})}
         barreno.uncertainty(DECKS / "perforation.xml", fidelity="fast", design="one-at-a-time", runs=MOST, hold=HELD, jobs=options.jobs,
-            out=study)
-        STORED.write_text(json.dumps(measured(study), indent=1) + "\n")
+            out=study, set=entries)
+        keep(options.card, options.until, measured(study))
     write_pages()
     return 0
 

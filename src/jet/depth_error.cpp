@@ -71,15 +71,6 @@ bool is_near(double ratio) {
   return is_within(ratio, largest_ratio);
 }
 
-/// The longest body in the jet's path.
-const BodySpec& main_body(const Scene& scene, const std::vector<PathLayer>& layers) {
-  const auto longest =
-      std::max_element(layers.begin(), layers.end(), [](const PathLayer& a, const PathLayer& b) {
-        return a.far - a.near < b.far - b.near;
-      });
-  return scene.bodies[longest->body];
-}
-
 /// Densities of jet over rock as measured, tungsten over Berea, by less than a third.
 bool is_measured_pair(const MaterialSpec& jet, const MaterialSpec& target) {
   constexpr double measured = 8.3;
@@ -247,7 +238,7 @@ std::string why_scene_unmeasured(const DepthTables& tables, const Scene& scene) 
   if (solids.empty()) return "the jet meets no target";
   if (solids.size() < layers.size()) return "it was measured without liquids in the jet's path";
   const MaterialSpec& jet = scene.materials[static_cast<std::size_t>(scene.jet.material)];
-  const BodySpec& body = main_body(scene, solids);
+  const BodySpec& body = longest_body(scene, solids);
   const MaterialSpec& target = scene.materials[static_cast<std::size_t>(body.material)];
   if (target.is_porous()) return "it was measured in dry rock only";
   if (!is_measured_pair(jet, target))
@@ -262,7 +253,7 @@ std::string why_depth_error_unknown(
   std::string why = why_scene_unmeasured(tables, scene);
   if (!why.empty()) return why;
   const MaterialSpec& jet = scene.materials[static_cast<std::size_t>(scene.jet.material)];
-  const BodySpec& body = main_body(scene, solid_layers(path_layers(scene, widest_radius(scene))));
+  const BodySpec& body = longest_body(scene, solid_layers(path_layers(scene, widest_radius(scene))));
   if (breaks(jet))
     return "it was measured with tungsten that does not break only, not with the Spall Stress or "
            "damage of " +

@@ -119,6 +119,14 @@ std::vector<PathLayer> solid_layers(std::vector<PathLayer> layers) {
   return layers;
 }
 
+const BodySpec& longest_body(const Scene& scene, const std::vector<PathLayer>& layers) {
+  const auto longest =
+      std::max_element(layers.begin(), layers.end(), [](const PathLayer& a, const PathLayer& b) {
+        return a.far - a.near < b.far - b.near;
+      });
+  return scene.bodies[longest->body];
+}
+
 JetOrigin launched_jet(const Scene& scene) {
   JetOrigin origin;
   origin.bodies = {static_cast<int>(scene.bodies.size())};

@@ -60,6 +60,9 @@ std::vector<PathLayer> path_layers(const Scene& scene, double radius);
 /// Those of them that are solid: where depths are measured.
 std::vector<PathLayer> solid_layers(std::vector<PathLayer> layers);
 
+/// The longest body in the jet's path; there is one.
+const BodySpec& longest_body(const Scene& scene, const std::vector<PathLayer>& layers);
+
 /// How much of a body's layer lies above a depth [length].
 double depth_in(const PathLayer& layer, const JetPath& path, double depth);
 

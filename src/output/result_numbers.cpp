@@ -5,6 +5,7 @@
 #include "jet/channel.hpp"
 #include "jet/divided_error.hpp"
 #include "jet/estimate.hpp"
+#include "jet/rock_ranges.hpp"
 #include "output/progress.hpp"
 #include "output/share_numbers.hpp"
 #include "state/balance.hpp"
@@ -118,6 +119,9 @@ void add_hole_lines(
         depth_doubt_text(volume_doubt(scene, time, penetration))
     );
   }
+  if (!penetration.met) return;
+  const std::string least = least_known_sentence(least_known(scene));
+  if (!least.empty()) lines.push_back(least);
 }
 
 }  // namespace

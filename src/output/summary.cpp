@@ -8,6 +8,7 @@
 #include "jet/channel.hpp"
 #include "jet/divided_error.hpp"
 #include "jet/estimate.hpp"
+#include "jet/rock_ranges.hpp"
 #include "output/share_numbers.hpp"
 #include "scene/input_speeds.hpp"
 #include "state/balance.hpp"
@@ -191,6 +192,27 @@ void put_penetration(
   if (is_divided(scene)) {
     put_depth_error(reached["probed_depth_error"], probed_depth_doubt(scene, time, p));
     put_depth_error(reached["channel_volume_error"], volume_doubt(scene, time, p));
+  }
+}
+
+/// What is known worst of the rock, and what that does to the hole.
+void put_least_known(Json& json, const Scene& scene) {
+  const LeastKnown least = least_known(scene);
+  if (least.worst.empty()) return;
+  Json& all = json["penetration"]["least_known"];
+  all["sentence"] = least_known_sentence(least);
+  all["body"] = as_utf8(least.body);
+  const auto put = [](Json& to, const RangeEffect::Change& change) {
+    to["at_low"] = number(change.at_low);
+    to["at_high"] = number(change.at_high);
+  };
+  for (const RangeEffect& effect : least.worst) {
+    Json& one = all["range_of"][effect.parameter];
+    one["range"] = effect.range;
+    one["known"] = effect.known;
+    put(one["depth"], effect.depth);
+    put(one["probed_depth"], effect.probed_depth);
+    put(one["channel_volume"], effect.volume);
   }
 }
 
@@ -424,6 +446,7 @@ std::string summary_text(
   if (const auto path = recorded_path(scene, run.monitor))
     put_penetration(json, scene, *path, state.clock.time, penetration);
   put_zones(json, scene, summary.zones);
+  if (penetration.met) put_least_known(json, scene);
   if (summary.rest) put_rest(json, *summary.rest);
   put_ledger(json, totals.ledger, "balances.");
   put_material_energies(json, scene, totals.ledger);

@@ -67,6 +67,7 @@ void add_materials(const Deck& deck, Scene& scene) {
         scene.materials.emplace_back(material_in(deck, name), said.bad_particles);
     if (said.largest_expansion) material.largest_expansion = said.largest_expansion;
     material.volume_relaxation = said.volume_relaxation.value_or(0.0);
+    material.source = deck.list(list_of<MaterialSection>(name)).get("Source", std::string());
   }
 }
 

@@ -56,7 +56,8 @@ double fastest_velocity(const JetSpec& jet) {
 }
 
 double cut_off_velocity(const Scene& scene) {
-  constexpr double share = 0.1;
+  // Of the slugs that arrive when the hole of the main job has stopped growing (docs/jets.md).
+  constexpr double share = 0.2;
   return scene.cut_off_velocity.value_or(share * fastest_velocity(scene.jet));
 }
 

@@ -99,9 +99,11 @@ void MaterialSpec::scale_density(double factor) {
   scaled.density *= factor;
   const std::optional<double> expansion = largest_expansion;
   const double relaxation = volume_relaxation;
+  const std::string said = source;
   *this = MaterialSpec(scaled, bad_particles);
   largest_expansion = expansion;
   volume_relaxation = relaxation;
+  source = said;
 }
 
 }  // namespace barreno

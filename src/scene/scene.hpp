@@ -54,6 +54,7 @@ public:
   void scale_density(double factor);
 
   BadParticlePolicy bad_particles;
+  std::string source;  ///< of its numbers, as the deck says it: "card NAME"; empty: none is said
   /// V / V_ref beyond which a particle counts as bad; without: that of the step [-]
   std::optional<double> largest_expansion;
   /// Of particles of one cell towards its mean volume ratio, per shear strain [-]

@@ -6,7 +6,7 @@ Digits are those of the results files: a power of ten moves the point, nothing i
 import json
 from decimal import Decimal
 
-from tools import depth_shots_table
+from tools import depth_shots_table, range_effects_table
 from tools.case_list import RESULTS
 from tools.uniform_cells import read
 
@@ -74,6 +74,22 @@ def divided_errors():
     return table(head, ("what", "cells_per_radius", "value", "low", "high"), rows)
 
 
+def rock_ranges():
+    head = (
+        "# What the range of one parameter of a card changes in perforation.xml: depth, depth of the hole as wide as the jet, and volume,\n"
+        "# over those of the card less 1, at both ends; of each card, those that change the volume most first.\n"
+    )
+    head += HEAD.format("range_effects.json of verification/results")
+    columns = ["range", *(f"{name}_at_{end}" for name in ("depth", "probed_depth", "volume") for end in ("low", "high"))]
+    rows = []
+    for card, found in range_effects_table.cards().items():
+        for row in found["rows"]:
+            name = "; ".join((card, row["parameter"], f"{row['low']} to {row['high']}", row["known"]))
+            changes = [range_effects_table.changes(row, found["middle"], of) for of in ("depth", "probed_depth", "channel_volume")]
+            rows.append([name, *(f"{change:.4f}" for pair in changes for change in pair)])
+    return table(head, columns, rows)
+
+
 def files():
     """{file: text}"""
-    return {f"src/measured/{make.__name__}.csv": make() for make in (depths_of_cells, steady_errors, length_errors, divided_errors)}
+    return {f"src/measured/{make.__name__}.csv": make() for make in (depths_of_cells, steady_errors, length_errors, divided_errors, rock_ranges)}

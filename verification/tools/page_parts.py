@@ -5,6 +5,7 @@ import json
 from performance import checkpoint_cost
 from tools import cement_table
 from tools import closed_cycles_table
+from tools import cut_off_table
 from tools import converge_parts
 from tools import deck_table
 from tools import depth_at_rest_runs
@@ -65,6 +66,7 @@ PARTS = {
     "converge_fine_jet": converge_parts.fine_jet,
     "converge_jet": converge_parts.jet,
     "converge_shell": converge_parts.shell,
+    "cut_off": cut_off_table.lines,
     "decks": deck_table.lines,
     "depths": figures_page.depths,
     "elastic_shares": elastic_shares_table.lines,

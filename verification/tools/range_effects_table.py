@@ -6,6 +6,8 @@ from tools.case_list import RESULTS
 from tools.verification_pages import table
 
 STORED = RESULTS / "range_effects.json"
+STRENGTH = ("STREN", "YSLOPE", "Strength limit")
+OF_THE_JOB = "berea_sandstone_bounded"  # the card of perforation.xml
 
 
 def crushed(answers):
@@ -41,18 +43,33 @@ def largest(row, middle, name="channel_volume"):
 def sentence(rows, middle):
     """What decides, and how little the rest does."""
     words = []
-    for row in rows[:2]:
+    strongest = rows[:2]
+    for row in strongest:
         tip, volume = (" and ".join(f"{100.0 * one:+.0f}" for one in changes(row, middle, name)) for name in ("depth", "channel_volume"))
         words.append(f"`{row['parameter']}` changes the tip by {tip} %, the volume by {volume} % (low and high end)")
     tip, volume = (100.0 * max(largest(row, middle, name) for row in rows[2:]) for name in ("depth", "channel_volume"))
-    return f"Strength at high pressure decides: {'; '.join(words)}. No other range changes the tip by more than {tip:.1f} %, " \
+    of_strength = all(row["parameter"] in STRENGTH for row in strongest)
+    begin = "Strength at high pressure decides" if of_strength else "These decide"
+    return f"{begin}: {'; '.join(words)}. No other range changes the tip by more than {tip:.1f} %, " \
         f"or the volume by more than {volume:.0f} %."
 
 
-def lines():
+def cards():
+    """{card: {middle, rows}} of those that were measured, the rows that change the volume most first."""
     found = json.loads(STORED.read_text())
-    middle = found["middle"]
+    return {card: {**one, "rows": sorted(one["rows"], key=lambda row: -largest(row, one["middle"]))} for card, one in found.items()}
+
+
+def lines():
+    return [line for card, found in cards().items() for line in [*(heading(card, found) if card != OF_THE_JOB else []), *card_lines(found)]]
+
+
+def heading(card, found):
+    return ["", f"The same of `{card}`" + (f", to {found['until']}:" if found.get("until") else ":"), ""]
+
+
+def card_lines(found):
+    middle, rows = found["middle"], found["rows"]
     card = [shown(of(middle), factor, form) for of, factor, form in COLUMNS.values()]
-    rows = sorted(found["rows"], key=lambda row: -largest(row, middle))
     shown_rows = [[f"`{row['parameter']}`", f"{row['low']} to {row['high']}", row["known"], *ends(row)] for row in rows]
     return [*table(["parameter", "range", "known", *COLUMNS], [["(the card)", "", "", *card], *shown_rows]), "", sentence(rows, middle)]

@@ -8,9 +8,10 @@ from tools.verification_pages import table
 STORED = RESULTS / "rock_cards.json"
 CARD = "Materials/Sandstone/Card"
 RETURNED = {"Step/Return Losses": "true"}
+MAIN_JOB = "`berea_sandstone_bounded`: bounded dilatancy (the main job)"
 ROWS = {  # what differs from the main job
     "`berea_sandstone`: as published": {CARD: "berea_sandstone.xml"},
-    "`berea_sandstone_bounded`: bounded dilatancy (the main job)": {},
+    MAIN_JOB: {},
     "`berea_sandstone_bounded`, losses returned to metals": RETURNED,
     "`berea_sandstone_damage`: damage too": {CARD: "berea_sandstone_damage.xml"},
     "`berea_sandstone_shock`: bounded dilatancy, limit, stiffening": {CARD: "berea_sandstone_shock.xml"},

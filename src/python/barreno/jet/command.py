@@ -21,7 +21,7 @@ STRETCHES = 0.01  # rms of launch times over their span, up to which a jet comes
 def parse(words):
     parser = Words("jet", EXAMPLE, "jets.md", description="The jet of a deck: table, audit, picture, and depths by theory (docs/jets.md).")
     parser.add_argument("deck", metavar="DECK", help="deck file with a Jet")
-    parser.add_argument("--cut-off", metavar="VELOCITY", help="slower metal does not dig (default: a tenth of the tip's velocity)")
+    parser.add_argument("--cut-off", metavar="VELOCITY", help="slower metal does not dig (default: a fifth of the tip's velocity)")
     parser.add_argument("--resistance", metavar="STRESS", help='of the last body, "1 GPa": adds the depth of Alekseevskii and Tate')
     parser.add_argument("--strength", metavar="STRESS", help="of the jet, for the same (default 0)")
     parser.add_argument("--out", metavar="FOLDER", help="folder of jet.csv, jet.png and jet.json (default runs/DECK-jet)")
@@ -217,7 +217,7 @@ def write(jet, depths, out):
 
 
 def asked_of(options, tip):
-    return {"cut_off": velocity_of(options.cut_off) if options.cut_off else 0.1 * tip,
+    return {"cut_off": velocity_of(options.cut_off) if options.cut_off else 0.2 * tip,
         "resistance": stress_of("--resistance", options.resistance) if options.resistance else None,
         "strength": stress_of("--strength", options.strength) if options.strength else 0.0}
 
