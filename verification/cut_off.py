@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which slugs no longer dig: those that arrive when the hole as wide as the jet has stopped growing, in the main job with two cards of rock.
+"""Which slugs no longer dig: those that arrive when the hole as wide as the jet has stopped growing, with two cards of rock.
 
     cut_off.py BARRENO [ROW ...]    all rows, or those named: verification/results/cut_off.json, and docs/jets.md
 

@@ -36,6 +36,9 @@ struct TwoPacks {
     return {a.low - b.low, a.high - b.high};
   }
   friend TwoPacks operator*(double s, const TwoPacks& a) { return {s * a.low, s * a.high}; }
+  friend TwoPacks operator*(const TwoPacks& a, const TwoPacks& b) {
+    return {a.low * b.low, a.high * b.high};
+  }
   TwoPacks& operator+=(const TwoPacks& other) { return *this = *this + other; }
   TwoPacks& operator*=(double s) { return *this = s * *this; }
 };
@@ -84,6 +87,11 @@ KOKKOS_INLINE_FUNCTION Pack<N> operator-(Pack<N> a, const Pack<N>& b) {
 template <int N>
 KOKKOS_INLINE_FUNCTION Pack<N> operator*(double s, Pack<N> a) {
   return a *= s;
+}
+template <int N>
+KOKKOS_INLINE_FUNCTION Pack<N> operator*(Pack<N> a, const Pack<N>& b) {
+  for (int i = 0; i < N; ++i) a.value[i] *= b.value[i];
+  return a;
 }
 template <int... Entries>
 KOKKOS_INLINE_FUNCTION Pack<sizeof...(Entries)> select(const Pack<sizeof...(Entries)>& pack) {

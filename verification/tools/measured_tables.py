@@ -92,4 +92,5 @@ def rock_ranges():
 
 def files():
     """{file: text}"""
-    return {f"src/measured/{make.__name__}.csv": make() for make in (depths_of_cells, steady_errors, length_errors, divided_errors, rock_ranges)}
+    makers = (depths_of_cells, steady_errors, length_errors, divided_errors, rock_ranges)
+    return {f"src/measured/{make.__name__}.csv": make() for make in makers}

@@ -14,6 +14,34 @@
 namespace barreno {
 namespace {
 
+/// What the particles of a batch lose to the grid is found from.
+template <class M>
+struct LossColumns {
+  static constexpr bool space = M::dimensions == 3;
+  BatchColumns<space ? 6 : 4> stress;
+  BatchColumns<space ? 0 : (M::hoop ? 5 : 4)> deformation;  ///< as of GivenColumns
+  BatchColumns<space ? 4 : 0> rotation;
+  BatchColumns<1> viscous_pressure, volume, mass;
+
+  KOKKOS_INLINE_FUNCTION LossColumns(const Particles& particles, const BatchRows& rows) {
+    stress.load(particles.stress, rows);
+    deformation.load(particles.deformation_gradient, rows);
+    rotation.load(particles.rotation, rows);
+    viscous_pressure.load(particles.viscous_pressure, rows);
+    volume.load(particles.volume, rows);
+    mass.load(particles.mass, rows);
+  }
+};
+
+/// Gradient of the mean velocity of the nodes over a step, and the mean square of what the nodes'
+/// increments are off the particle's, one array per number.
+template <unsigned D>
+struct NodesOfBatch {
+  alignas(64) double gradient[D * D][rows_per_batch];
+  alignas(64) double hoop[rows_per_batch];
+  alignas(64) double spread[rows_per_batch];
+};
+
 template <class M, class S>
 struct InterpolateMotion {
   static constexpr int dimensions = M::dimensions;
@@ -62,30 +90,53 @@ struct InterpolateMotion {
     return sum;
   }
 
-  /// Energy that the grid took from row p: the work of its internal forces on the mean velocities
-  /// of their nodes, and what FLIP loses since the particle takes one increment where nodes have
-  /// many. docs/method.md (2.13)
+  /// @param at  motion of the nodes at the particle
   template <class Support, class At>
-  KOKKOS_INLINE_FUNCTION double heat_of(
-      int p, double dt, const Support& support, const At& at, const Motion* patch
+  KOKKOS_INLINE_FUNCTION void keep_nodes(
+      int k,
+      const Support& support,
+      const At& at,
+      const Motion* patch,
+      NodesOfBatch<M::dimensions>& n
   ) const {
-    const Sym3 s = space_stress<M>(particles, p);
-    const double q = particles.viscous_pressure(p);
-    const double stress[3][3] = {
-        {s.xx - q, s.xy, s.zx}, {s.xy, s.yy - q, s.yz}, {s.zx, s.yz, s.zz - q}};
-    double rate = 0.0;
     for (int i = 0; i < dimensions; ++i)
       for (int j = 0; j < dimensions; ++j)
-        rate += stress[i][j] * (at.d[j][i] - 0.5 * at.d[j][dimensions + i]);
-    if constexpr (M::hoop) rate += stress[2][2] * (at.hoop[0] - 0.5 * at.hoop[dimensions]);
-    double spread = 0.0;
+        n.gradient[dimensions * i + j][k] = at.d[j][i] - 0.5 * at.d[j][dimensions + i];
+    n.hoop[k] = M::hoop ? at.hoop[0] - 0.5 * at.hoop[dimensions] : 0.0;
+    Motion squares{};
     support.for_each_node(frame.patch, [&](int slot, double weight, const double*, double) {
-      for (int i = 0; i < dimensions; ++i) {
-        const double off = patch[slot][dimensions + i] - at.value[dimensions + i];
-        spread += weight * off * off;
-      }
+      const Motion off = patch[slot] - at.value;
+      squares += weight * (off * off);
     });
-    return dt * particles.volume(p) * rate + 0.5 * particles.mass(p) * spread;
+    double spread = 0.0;
+    for (int i = 0; i < dimensions; ++i) spread += squares[dimensions + i];
+    n.spread[k] = spread;
+  }
+
+  /// Energy that the grid took from each row: the work of its internal forces on the mean
+  /// velocities of their nodes, and what FLIP loses since the particle takes one increment where
+  /// nodes have many. docs/method.md (2.13)
+  KOKKOS_INLINE_FUNCTION void put_heat(
+      double dt, const BatchRows& rows, const NodesOfBatch<M::dimensions>& n
+  ) const {
+    alignas(64) double heat[rows_per_batch];
+    const LossColumns<M> given(particles, rows);
+    BARRENO_IVDEP
+    for (int k = 0; k < rows_per_batch; ++k) {
+      const Sym3 s = rotated_stress<M>(given.stress, given.deformation, given.rotation, k);
+      const double q = given.viscous_pressure(k);
+      double rate = (s.xx - q) * n.gradient[0][k] + s.xy * n.gradient[1][k];
+      if constexpr (dimensions == 2) {
+        rate += s.xy * n.gradient[2][k] + (s.yy - q) * n.gradient[3][k];
+        rate += (s.zz - q) * n.hoop[k];
+      } else {
+        rate += s.zx * n.gradient[2][k] + s.xy * n.gradient[3][k] + (s.yy - q) * n.gradient[4][k];
+        rate += s.yz * n.gradient[5][k] + s.zx * n.gradient[6][k] + s.yz * n.gradient[7][k];
+        rate += (s.zz - q) * n.gradient[8][k];
+      }
+      heat[k] = dt * given.volume(k) * rate + 0.5 * given.mass(k) * n.spread[k];
+    }
+    for (int k = 0; k < rows.count; ++k) particles.heat(rows.row[k]) = heat[k];
   }
 
   KOKKOS_INLINE_FUNCTION double batch(int tile, const BatchRows& rows, const Motion* patch) const {
@@ -94,19 +145,31 @@ struct InterpolateMotion {
     const FieldView grid_motion = particles.grid_motion.values;
     const FieldView increment = particles.increment.values;
     const double dt = frame.tile_frame(tile).dt;
+    const bool returns = particles.heat.components > 0;
+    NodesOfBatch<M::dimensions> nodes;
     double largest = 0.0;
     for (int k = 0; k < rows.count; ++k) {
       const int p = rows.row[k];
       const auto support = supports.get(k);
       const auto at = support.template interpolate<M::hoop>(patch, frame.patch);
-      if (particles.heat.components > 0) particles.heat(p) = heat_of(p, dt, support, at, patch);
+      if (returns) keep_nodes(k, support, at, patch, nodes);
       for (int i = 0; i < 2 * dimensions; ++i) grid_motion(p, i) = at.value[i];
       for (int i = 0; i < dimensions; ++i)
         for (int j = 0; j < dimensions; ++j) increment(p, dimensions * i + j) = dt * at.d[j][i];
       if constexpr (dimensions == 2) increment(p, 4) = dt * at.hoop[0];
       largest = real::larger(dt * dt * rate_squared(at.d, at.hoop[0]), largest);
     }
+    if (!returns) return largest;
+    for (int k = rows.count; k < rows_per_batch; ++k) repeat_last(rows.count - 1, k, nodes);
+    put_heat(dt, rows, nodes);
     return largest;
+  }
+
+  /// Lanes without a row of their own are computed too, and not kept.
+  KOKKOS_INLINE_FUNCTION static void repeat_last(int from, int to, NodesOfBatch<M::dimensions>& n) {
+    for (auto& one : n.gradient) one[to] = one[from];
+    n.hoop[to] = n.hoop[from];
+    n.spread[to] = n.spread[from];
   }
 };
 

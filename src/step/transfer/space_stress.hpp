@@ -2,7 +2,6 @@
 #pragma once
 
 #include "shape/kinematics.hpp"
-#include "state/particles.hpp"
 
 namespace barreno {
 
@@ -17,14 +16,6 @@ KOKKOS_FORCEINLINE_FUNCTION Sym3 rotated_stress(
     unrotated.zx = stress(p, 5);
   }
   return rotate(load_rotation<M>(deformation, rotation, p), unrotated);
-}
-
-/// Cauchy stress of a row in the space frame; without its artificial viscosity.
-template <class M>
-KOKKOS_INLINE_FUNCTION Sym3 space_stress(const Particles& particles, int p) {
-  return rotated_stress<M>(
-      particles.stress, particles.deformation_gradient.values, particles.rotation.values, p
-  );
 }
 
 }  // namespace barreno

@@ -15,7 +15,9 @@ TEST(SpaceStress, TurnsWithTheParticle) {
   for (int c = 0; c < 4; ++c) particles.stress(0, c) = stress[c];
   const double turn[] = {0.0, -1.0, 1.0, 0.0};
   for (int c = 0; c < 4; ++c) particles.deformation_gradient(0, c) = turn[c];
-  const Sym3 space = space_stress<PlaneStrain>(particles, 0);
+  const Sym3 space = rotated_stress<PlaneStrain>(
+      particles.stress, particles.deformation_gradient.values, particles.rotation.values, 0
+  );
   EXPECT_DOUBLE_EQ(space.xx, 3.0);
   EXPECT_DOUBLE_EQ(space.yy, 5.0);
   EXPECT_DOUBLE_EQ(space.zz, 2.0);
