@@ -3,6 +3,7 @@
 import json
 
 from tools.case_list import RESULTS
+from tools.depth_shots import WET
 from tools.verification_pages import table
 
 STORED = RESULTS / "rock_cards.json"
@@ -12,7 +13,9 @@ MAIN_JOB = "`berea_sandstone_bounded`: bounded dilatancy (the main job)"
 ROWS = {  # what differs from the main job
     "`berea_sandstone`: as published": {CARD: "berea_sandstone.xml"},
     MAIN_JOB: {},
-    "`berea_sandstone_bounded`, losses returned to metals": RETURNED,
+    "`berea_sandstone_bounded`, losses returned to metals": {"Materials/Sandstone/Specific heat": "0", **RETURNED},
+    "`berea_sandstone_bounded`, losses returned to metals and rock": RETURNED,
+    "the same, pores full of water": {**WET, **RETURNED},
     "`berea_sandstone_damage`: damage too": {CARD: "berea_sandstone_damage.xml"},
     "`berea_sandstone_shock`: bounded dilatancy, limit, stiffening": {CARD: "berea_sandstone_shock.xml"},
     "`berea_sandstone_heat`: all, and heat": {CARD: "berea_sandstone_heat.xml"},

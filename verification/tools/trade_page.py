@@ -67,7 +67,8 @@ def fidelity_section(data):
     (splits,) = {breaking[name]["splits"] for name in FIDELITIES}
     lines += ["", f"Late slugs of metal that breaks pile up at the bottom. For such a jet there are {cells} cells per radius, and a "
         f"particle is divided up to {splits} times ([Depth at rest](#depth-at-rest)). In two dimensions *balanced* and *reference* also "
-        "give the losses of each step back to the metals as heat (`Step/Return Losses`)."]
+        "give the losses of each step back as heat (`Step/Return Losses`): to metals, and to rock with a `Specific heat`, as that of the "
+        "main job."]
     lines += ["", "Error (and cost relative to balanced) at equal cells, one step for all:", "",
               "| fidelity | " + " | ".join(f"{p.title}: {p.error}, {unit_text(p, p.levels[-1])}" for p in PROBLEMS) + " |",
               "|---|" + "---|" * len(PROBLEMS)]  # fmt: skip
