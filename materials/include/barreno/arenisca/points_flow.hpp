@@ -261,8 +261,7 @@ BARRENO_FUNCTION PoresOf<R> pores_after(
   } else {
     const Constituents& c = rock.constituents;
     const R rise = p.rise - p.fall * (r.evp - step.n.evp);
-    const GrainsOf<R> grains = loaded_grains(c, step.pores, R(r.x - step.n.x));
-    return fill_pores(c, step.pores, grains, step.dv, rise).end;
+    return fill_loaded_pores(c, step.pores, step.n.x, r.x, step.dv, rise).end;
   }
 }
 
@@ -292,6 +291,7 @@ BARRENO_FUNCTION void finish_flow(
   a.moduli = rock.elasticity.moduli_at(r.x, rock.elasticity.seen_from(p.evp, r.evp));
   if constexpr (Law::wet) {
     a.pores = pores_after(rock, step, p, r);
+    press_moduli(rock, a, r.x, a.moduli);
     a.elastic_work = work_of_stress(step, a) - a.plastic_work;
   } else {
     a.elastic_work =
@@ -337,8 +337,8 @@ BARRENO_FUNCTION void refine_points(
   const ModuliOf<R> mean = {
       0.5 * (first.start.bulk + a.moduli.bulk), 0.5 * (first.start.shear + a.moduli.shear)};
   follow_pressure(rock, step, mean.bulk, a, p);
-  predict_with(rock, step, mean, p);
-  const R triple_bulk = stiffness_of_return(rock, p);
+  predict_with(step, mean, p);
+  const R triple_bulk = stiffness_of_return(p);
   const R metric = metric_of(rock, step, p);
   const R moved_x = p.x + 0.5 * c.distance * (c.normal_x - f.normal_x);
   const R half = 0.5 * c.distance / real::sqrt(metric);
@@ -393,7 +393,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> flow_points(
 ) {
   const StateOf<R, Law>& n = step.n;
   const R metric = metric_of(rock, step, p);
-  const TrialOf<R> trial{p.x, p.q, metric, stiffness_of_return(rock, p), n.evp, step.cap};
+  const TrialOf<R> trial{p.x, p.q, metric, stiffness_of_return(p), n.evp, step.cap};
   const auto [r, end] = return_shear(rock, p, p.s, trial, flows, at_trial, no_guess<R, Law>());
   FlowStartOf<R, Law> f = flow_start_of(rock, flows, step, p, metric);
   if (rock.crush.porous()) {

@@ -52,16 +52,6 @@ struct HeatOfStep<R, true> {
   R temperature{};  ///< at its begin
 };
 
-/// Mean pressure that the rock itself bears: the effective one of wet rock.
-template <class Law, class R, class History>
-BARRENO_FUNCTION R rock_pressure(const Sym3Of<R>& stress, const History& h) {
-  const R pressure = trace(stress) * (-1.0 / 3.0);
-  if constexpr (Law::wet)
-    return pressure - h.pore_pressure;
-  else
-    return pressure;
-}
-
 /// Ends the step of points with its heat: their temperature, and by how much their grains expand in
 /// the next step. That lag makes the expansion explicit: it depends on nothing that it changes.
 /// @param before  mean stress before the step [stress]; `p` has that after it, and its works
@@ -77,7 +67,7 @@ BARRENO_ALIKE void heat_points(const Law& law, const MaskOf<R>& ended, const R& 
   const R viscous = i.viscous_pressure * (i.volume_ratio_begin - i.volume_ratio_end);
   const R warming = (out.plastic_work + viscous + expanding) * law.heat.per_heat_capacity;
   out.elastic_work = real::select(ended, out.elastic_work + expanding, out.elastic_work);
-  const R pressure = rock_pressure<Law>(p.stress, h);
+  const R pressure = R{} - after;
   h.temperature = real::select(ended, h.temperature + warming, h.temperature);
   h.thermal_expansion =
       real::select(ended, law.heat.expansion(warming, pressure), h.thermal_expansion);

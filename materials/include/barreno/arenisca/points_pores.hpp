@@ -3,6 +3,8 @@
 
 #include "barreno/arenisca/rock.hpp"
 
+#include <cmath>
+
 namespace barreno::arenisca {
 
 // Pore fluid of one or several points (docs/method.md 10): the dry law holds for the effective
@@ -48,11 +50,53 @@ BARRENO_FUNCTION void set_pores(const MaskOf<R>& choice, const PoresOf<R>& pores
   h.gas = real::select(choice, real::larger(R(porosity - pores.fluid), 0.0), h.gas);
 }
 
+/// Compliances of grains and fluid in a state [1/stress].
+template <class R>
+struct CompliancesOf {
+  R whole;  ///< 1/Km at the total pressure P
+  R alone;  ///< 1/Km at the pressure of the fluid
+  R fluid;  ///< 1/Kf at that
+};
+/// @param x  I1 of the effective stress [stress]
+template <class R>
+BARRENO_FUNCTION CompliancesOf<R> compliances_at(
+    const Constituents& c, const PoresOf<R>& n, const R& x
+) {
+  if (!c.change()) return {R{} + c.per_matrix, R{} + c.per_matrix, R{} + c.per_fluid};
+  return {
+      c.grain_compliance(R(n.pressure - x * (1.0 / 3.0))),
+      c.grain_compliance(n.pressure),
+      c.fluid_compliance(n.pressure)};
+}
+
+/// Bulk modulus of the drained rock whose grains are under the pressure of a fluid too (docs/
+/// method.md, 10.8): the compliance of the pores is that of dry rock under the effective pressure,
+/// and that of the grains is theirs at the total one.
+///
+/// Where the fluid is stiffer than half of the grains, pores soften the rock by as much as they
+/// must so that they store half of what their fluid alone would (10.9): the dry law, which knows no
+/// porosity, lets them soften it by less.
+/// @param dry  bulk modulus of dry rock under the effective stress [stress]
+template <class R>
+BARRENO_FUNCTION R
+bulk_under_pressure(const Constituents& c, const PoresOf<R>& n, const R& x, const R& dry) {
+  if (!c.change()) return dry;
+  const CompliancesOf<R> k = compliances_at(c, n, x);
+  const R of_pores = 1.0 / dry - c.grain_compliance(R(x * (-1.0 / 3.0)));
+  const R excess = (1.0 - n.solid) * (k.alone - 0.5 * k.fluid);
+  const R asked = smaller_of(real::larger(excess, 0.0), R(0.5 * k.whole));
+  const R least = asked * k.whole / (k.whole - asked);
+  return real::select(n.pressure > 0.0, 1.0 / (larger_of(of_pores, least) + k.whole), dry);
+}
+
 /// Logarithm of the grains' volume ratio as a function of the rise of p: begin + slope dp.
 template <class R>
 struct GrainsOf {
   R begin;
   R slope;  ///< [1/stress]
+
+  static constexpr bool change = false;
+  BARRENO_FUNCTION GrainsOf at(const R& rise) const { return {begin + slope * rise, slope}; }
 };
 /// Elastic rock of this bulk modulus: dP' = -K (d eps_v + dp/Km).
 template <class R>
@@ -70,6 +114,37 @@ BARRENO_FUNCTION GrainsOf<R> loaded_grains(
   return {rise_of_I1 * ((1.0 / 3.0) * c.per_matrix) / n.solid, R{} - c.per_matrix};
 }
 
+/// The same of grains whose modulus changes (docs/method.md, 10.6):
+/// -(F(P) - phi F(p))/solid from the start of the step, P' = effective - fall dp.
+template <class R>
+struct ChangingGrainsOf {
+  const Constituents& c;
+  R solid, pressure;  ///< at the start
+  R start;            ///< F(P) - phi F(p) there
+  R effective, fall;
+
+  static constexpr bool change = true;
+  /// @param x  I1 of the effective stress at the start [stress]
+  BARRENO_FUNCTION ChangingGrainsOf(
+      const Constituents& law,
+      const PoresOf<R>& n,
+      const R& x,
+      const R& effective_end,
+      const R& falls
+  )
+      : c(law), solid(n.solid), pressure(n.pressure), effective(effective_end), fall(falls) {
+    start =
+        c.grain_strain(R(pressure - x * (1.0 / 3.0))) - (1.0 - solid) * c.grain_strain(pressure);
+  }
+  BARRENO_FUNCTION GrainsOf<R> at(const R& rise) const {
+    const R p = pressure + rise, whole = p + effective - fall * rise, phi = 1.0 - solid;
+    const R strain = c.grain_strain(whole) - phi * c.grain_strain(p) - start;
+    const R slope = c.grain_compliance(whole) * (1.0 - fall) - phi * c.grain_compliance(p);
+    const R per_solid = -1.0 / solid;
+    return {strain * per_solid, slope * per_solid};
+  }
+};
+
 /// Where the fluid is and what it does when the volume changes.
 template <class R>
 struct FilledOf {
@@ -77,16 +152,33 @@ struct FilledOf {
   R rise;  ///< of the pressure [stress]
 };
 
+/// Keeps Newton's method for volumes that are not convex in the pressure between the pressures that
+/// are known to be too low and too high.
+template <class R>
+struct BracketOf {
+  R low, high = R{} + HUGE_VAL;
+
+  BARRENO_FUNCTION R next(const R& rise, const R& excess, const R& softness, double farther) {
+    low = real::select(excess > 0.0, rise, low);
+    high = real::select(excess < 0.0, rise, high);
+    const R newton = rise + excess / softness;
+    const MaskOf<R> sound = (softness > 0.0) & (newton >= low) & (newton <= high);
+    const R middle = real::select(high < HUGE_VAL, 0.5 * (low + high), rise + farther);
+    return real::select(sound, newton, middle);
+  }
+};
+
 /// Pressure and volumes at the end of a volume strain.
 ///
-/// The volume that grains and fluid want falls with p and is convex: Newton's method converges from
-/// any start, kept at p = 0, where gas comes in.
+/// The volume that grains and fluid of constant moduli want falls with p and is convex: Newton's
+/// method converges from any start, kept at p = 0, where gas comes in.
+/// @param grains  GrainsOf or ChangingGrainsOf
 /// @param guess of the rise of the pressure [stress]
-template <class R>
+template <class R, class Grains>
 BARRENO_FUNCTION FilledOf<R> fill_pores(
     const Constituents& c,
     const PoresOf<R>& n,
-    const GrainsOf<R>& grains,
+    const Grains& grains,
     const R& volume_strain,
     const R& guess
 ) {
@@ -95,23 +187,36 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
   const R volume = real::exp(volume_strain);
   const R least = -n.pressure;
   const MaskOf<R> dry = !(n.fluid > 0.0);
+  const bool stiffens = c.fluid_stiffening != 0.0;
+  const R fluid_strain = stiffens ? c.fluid_strain(n.pressure) : R{};
   R rise = real::select(dry, least, larger_of(guess, least));
   R solid{}, fluid{};
+  [[maybe_unused]] BracketOf<R> bracket{least};
   // A point that has its answer keeps it: its bits must not depend on the other points.
   MaskOf<R> open = !none_of<R>();
   for (int i = 0; i < max_iterations; ++i) {
-    const R solid_here = n.solid * real::exp(R(grains.begin + grains.slope * rise));
-    const R fluid_here = n.fluid * real::exp(R(-c.per_fluid * rise));
+    const GrainsOf<R> here = grains.at(rise);
+    const R solid_here = n.solid * real::exp(here.begin);
+    R fluid_here{}, per_fluid = R{} + c.per_fluid;
+    if (stiffens) {
+      const R pressure = n.pressure + rise;
+      per_fluid = c.fluid_compliance(pressure);
+      fluid_here = n.fluid * real::exp(R(fluid_strain - c.fluid_strain(pressure)));
+    } else {
+      fluid_here = n.fluid * real::exp(R(-c.per_fluid * rise));
+    }
     const R excess = solid_here + fluid_here - volume;
-    const R softness = fluid_here * c.per_fluid - solid_here * grains.slope;
-    const R next = real::select(dry, rise, larger_of(R(rise + excess / softness), least));
+    const R softness = fluid_here * per_fluid - solid_here * here.slope;
+    R newton = rise + excess / softness;
+    if constexpr (Grains::change) newton = bracket.next(rise, excess, softness, c.fluid);
+    const R next = real::select(dry, rise, larger_of(newton, least));
     const R step = next - rise;
     // The error that is left is that of the parabola: (step/Kf)^2.
     const R left = step * c.per_fluid;
     rise = real::select(open, next, rise);
     // To first order beyond what was evaluated.
-    solid = real::select(open, R(solid_here * (1.0 + grains.slope * step)), solid);
-    fluid = real::select(open, R(fluid_here * (1.0 - left)), fluid);
+    solid = real::select(open, R(solid_here * (1.0 + here.slope * step)), solid);
+    fluid = real::select(open, R(fluid_here * (1.0 - step * per_fluid)), fluid);
     open = open & (left * left > nothing);
     if (!real::any(open)) break;
   }
@@ -125,38 +230,74 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
   return f;
 }
 
+/// Pores at the end of an elastic step of this bulk modulus.
+/// @param x           I1 of the effective stress at its start [stress]
+/// @param per_matrix  1/Km on its way [1/stress]
+template <class R>
+BARRENO_FUNCTION FilledOf<R> fill_elastic_pores(
+    const Constituents& c,
+    const PoresOf<R>& n,
+    const R& x,
+    const R& per_matrix,
+    const R& bulk,
+    const R& volume_strain,
+    const R& guess
+) {
+  if (!c.change())
+    return fill_pores(c, n, elastic_grains(c, n, bulk, volume_strain), volume_strain, guess);
+  const R effective = x * (-1.0 / 3.0) - bulk * volume_strain;
+  const ChangingGrainsOf<R> grains(c, n, x, effective, R(bulk * per_matrix));
+  return fill_pores(c, n, grains, volume_strain, guess);
+}
+/// Pores at the end of a step that ends with this I1 of the effective stress.
+template <class R>
+BARRENO_FUNCTION FilledOf<R> fill_loaded_pores(
+    const Constituents& c,
+    const PoresOf<R>& n,
+    const R& x,
+    const R& x_end,
+    const R& volume_strain,
+    const R& guess
+) {
+  if (!c.change()) return fill_pores(c, n, loaded_grains(c, n, R(x_end - x)), volume_strain, guess);
+  const ChangingGrainsOf<R> grains(c, n, x, R(x_end * (-1.0 / 3.0)), R{});
+  return fill_pores(c, n, grains, volume_strain, guess);
+}
+
 /// 1/M at fixed skeleton: what a unit of pressure stores in full pores [1/stress].
 template <class R>
-BARRENO_FUNCTION R storage_of(const Constituents& c, const PoresOf<R>& n, const R& bulk) {
+BARRENO_FUNCTION R storage_of(const CompliancesOf<R>& k, const PoresOf<R>& n, const R& bulk) {
   const R phi = 1.0 - n.solid;
-  return (n.solid - bulk * c.per_matrix) * c.per_matrix + phi * c.per_fluid;
+  const R of_grains = (n.solid - bulk * k.whole) * k.whole + phi * (k.whole - k.alone);
+  return of_grains + phi * k.fluid;
 }
 
 /// Fall of the pressure for a plastic volume strain of 1 at fixed total strain: (1 - alpha) M; 0
 /// where gas gives way [stress].
 template <class R>
-BARRENO_FUNCTION R fall_of(const Constituents& c, const PoresOf<R>& n, const R& bulk) {
-  const R stiffness = bulk * c.per_matrix / storage_of(c, n, bulk);
+BARRENO_FUNCTION R fall_of(const CompliancesOf<R>& k, const PoresOf<R>& n, const R& bulk) {
+  const R stiffness = bulk * k.whole / storage_of(k, n, bulk);
   return real::select(n.pressure > 0.0, stiffness, 0.0);
 }
 
 /// Strain of the skeleton in an elastic volume strain, to first order; more fluid than pores
 /// stretches it.
 template <class R>
-BARRENO_FUNCTION R
-skeleton_guess(const Constituents& c, const PoresOf<R>& n, const R& bulk, const R& volume_strain) {
-  const R biot = 1.0 - bulk * c.per_matrix;
+BARRENO_FUNCTION R skeleton_guess(
+    const CompliancesOf<R>& k, const PoresOf<R>& n, const R& bulk, const R& volume_strain
+) {
+  const R biot = 1.0 - bulk * k.whole;
   const R excess = n.solid + n.fluid - 1.0;
-  const R rise = (excess - biot * volume_strain) / storage_of(c, n, bulk);
+  const R rise = (excess - biot * volume_strain) / storage_of(k, n, bulk);
   const MaskOf<R> full = (n.pressure > 0.0) | (excess > 0.0);
-  return volume_strain + real::select(full, rise * c.per_matrix, 0.0);
+  return volume_strain + real::select(full, rise * k.whole, 0.0);
 }
 
 /// Undrained bulk modulus: K + alpha^2 M, Gassmann's; K where gas gives way [stress].
 template <class R>
-BARRENO_FUNCTION R undrained_bulk(const Constituents& c, const PoresOf<R>& n, const R& bulk) {
-  const R biot = 1.0 - bulk * c.per_matrix;
-  return bulk + real::select(n.pressure > 0.0, biot * biot / storage_of(c, n, bulk), 0.0);
+BARRENO_FUNCTION R undrained_bulk(const CompliancesOf<R>& k, const PoresOf<R>& n, const R& bulk) {
+  const R biot = 1.0 - bulk * k.whole;
+  return bulk + real::select(n.pressure > 0.0, biot * biot / storage_of(k, n, bulk), 0.0);
 }
 
 // The same for any rock: `holder` is a structure of a step, with pores where the rock has them.
@@ -176,20 +317,60 @@ BARRENO_FUNCTION PoresOf<R> pores_before(const Rock& rock, const History& h) {
     return {};
 }
 /// Strain of the skeleton in an elastic step, to first order.
+/// @param x  I1 of the effective stress at its start [stress]
 template <class R, class Rock, class Step>
-BARRENO_FUNCTION R skeleton_guess(const Rock& rock, const Step& step, const R& bulk) {
+BARRENO_FUNCTION R skeleton_guess(const Rock& rock, const Step& step, const R& x, const R& bulk) {
   if constexpr (has_poroplastic_fluid<Rock>)
-    return skeleton_guess(rock.constituents, step.pores, bulk, step.dv);
+    return skeleton_guess(
+        compliances_at(rock.constituents, step.pores, x), step.pores, bulk, step.dv
+    );
   else
     return step.dv;
 }
 /// Bulk modulus with the fluid that cannot leave [stress].
+/// @param x  I1 of the effective stress [stress]
 template <class R, class Rock, class Holder>
-BARRENO_FUNCTION R bulk_of(const Rock& rock, const Holder& holder, const R& drained) {
-  if constexpr (has_poroplastic_fluid<Rock>)
-    return undrained_bulk(rock.constituents, holder.pores, drained);
-  else
+BARRENO_FUNCTION R bulk_of(const Rock& rock, const Holder& holder, const R& x, const R& drained) {
+  if constexpr (has_poroplastic_fluid<Rock>) {
+    const CompliancesOf<R> k = compliances_at(rock.constituents, holder.pores, x);
+    return undrained_bulk(k, holder.pores, drained);
+  } else {
     return drained;
+  }
+}
+/// Moduli of dry rock into those under the pressure of a fluid.
+/// @param x  I1 of the effective stress [stress]
+template <class R, class Rock, class Holder, class Moduli>
+BARRENO_FUNCTION void press_moduli(
+    const Rock& rock, const Holder& holder, const R& x, Moduli& moduli
+) {
+  if constexpr (has_poroplastic_fluid<Rock>)
+    moduli.bulk = bulk_under_pressure(rock.constituents, holder.pores, x, moduli.bulk);
+}
+/// 1/Km on the way between two states, by the mean of their total pressures [1/stress].
+/// @param x  sum of both I1 of the effective stress [stress]
+template <class R>
+BARRENO_FUNCTION R
+per_matrix_between(const Constituents& c, const R& both_pressures, const R& both_x) {
+  if (!c.change()) return R{} + c.per_matrix;
+  return c.grain_compliance(R(0.5 * both_pressures - (0.5 / 3.0) * both_x));
+}
+/// Error of the effective stress from 1/Km that changed on the way [stress].
+template <class R>
+BARRENO_FUNCTION R error_of_grains(
+    const Constituents& c,
+    const PoresOf<R>& begin,
+    const R& x_begin,
+    const PoresOf<R>& end,
+    const R& x_end,
+    const R& per_matrix,
+    const R& bulk
+) {
+  if (!c.change()) return R{};
+  constexpr double root_3 = 1.7320508075688772;
+  const R mean = 0.5 * (c.grain_compliance(R(begin.pressure - x_begin * (1.0 / 3.0))) +
+                        c.grain_compliance(R(end.pressure - x_end * (1.0 / 3.0))));
+  return root_3 * bulk * real::abs(R((mean - per_matrix) * (end.pressure - begin.pressure)));
 }
 /// Into a history whose plastic strain is that of the end.
 /// @param x  I1 of the effective stress [stress]

@@ -28,6 +28,7 @@ struct WholeStepOf : WithPores<R, Law::wet> {
   R x;
   Sym3Of<R> s;
   ModuliOf<R> used;
+  R error{};  ///< of what the grains did on the way [stress]
 };
 /// Start of a step in invariants.
 template <class R, class Law>
@@ -48,16 +49,19 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
     const MaskOf<R>& asked
 ) {
   WholeStepOf<R, Law> p;
-  R strain = skeleton_guess<R>(rock, n, n.elastic.moduli.bulk);
-  p.used = used_moduli(rock, R(3.0 * strain), cap, n.elastic);
+  R strain = skeleton_guess<R>(rock, n, n.x, n.elastic.moduli.bulk);
+  const MiddleOf<R> middle = used_moduli(rock, n, strain, cap, n.elastic);
+  p.used = middle.moduli;
   if constexpr (Law::wet) p.pores = n.pores;
   if constexpr (has_poroplastic_fluid<Law>) {
     const Constituents& c = rock.constituents;
     const R guess = (strain - n.dv) * c.matrix;
-    const GrainsOf<R> grains = elastic_grains(c, n.pores, p.used.bulk, n.dv);
-    const FilledOf<R> f = fill_pores(c, n.pores, grains, n.dv, guess);
+    const R& bulk = p.used.bulk;
+    const FilledOf<R> f = fill_elastic_pores(c, n.pores, n.x, middle.per_matrix, bulk, n.dv, guess);
     p.pores = f.end;
-    strain = n.dv + f.rise * c.per_matrix;
+    strain = n.dv + f.rise * middle.per_matrix;
+    const R x = n.x + 3.0 * bulk * strain;
+    p.error = error_of_grains(c, n.pores, n.x, p.pores, x, middle.per_matrix, bulk);
   }
   p.x = n.x + 3.0 * p.used.bulk * strain;
   p.s = n.s + R(2.0 * p.used.shear) * n.de;
@@ -91,20 +95,27 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
     assign_where(open, own.used, p.used);
     p.inside = p.inside | own.inside;
     assign_pores<Law>(open, own, p);
+    p.error = real::select(open, own.error, p.error);
   }
-  const ModuliOf<R> end = rock.elasticity.moduli_after(p.inside, n.elastic, p.x);
+  ModuliOf<R> end = rock.elasticity.moduli_after(p.inside, n.elastic, p.x);
+  press_moduli(rock, p, p.x, end);
   outcome.elastic_work = 0.5 * ((n.x + p.x) * (n.dv * (1.0 / 3.0)) + contract(n.s + p.s, n.de));
   outcome.plastic_work = R{};
   if constexpr (Law::wet)
     outcome.elastic_work =
         outcome.elastic_work - 0.5 * (n.pores.pressure + p.pores.pressure) * n.dv;
-  outcome.longitudinal_modulus = bulk_of<R>(rock, p, end.bulk) + (4.0 / 3.0) * end.shear;
+  outcome.longitudinal_modulus = bulk_of<R>(rock, p, p.x, end.bulk) + (4.0 / 3.0) * end.shear;
   // Ahead of a wave strains are as small as 1e-300. Where such a step passes the jump of the moduli
   // the squares that find the place are no longer exact, and nothing depends on it.
   constexpr double negligible = 1e-30;
   const MaskOf<R> still = contract(n.de, n.de) + n.dv * n.dv < negligible * negligible;
   // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.
-  const R error = 2.0 * mismatch_of(n.elastic.moduli, p.used, end);
+  R error = 2.0 * mismatch_of(n.elastic.moduli, p.used, end);
+  if constexpr (has_poroplastic_fluid<Law>)
+    if (rock.constituents.change())
+      error = error +
+              p.error /
+                  real::larger(size_of_stress(p.x, R(0.5 * contract(p.s, p.s))), rock.stress_floor);
   return p.inside & (still | (error <= rock.tolerance));
 }
 

@@ -35,6 +35,7 @@ struct PressurePath {};
 template <class R>
 struct PressurePath<R, true> {
   R rise{}, fall{};
+  R per_matrix{};      ///< 1/Km on the way [1/stress]
   PoresOf<R> elastic;  ///< pores at the prediction
 };
 
@@ -72,11 +73,9 @@ struct AttemptOf : WithPores<R, Law::wet>, WithUsedModuli<R, Law::rated> {
 
 /// Volume strain of the skeleton in an elastic substep.
 template <class R, class Law>
-BARRENO_FUNCTION R skeleton_strain(
-    const RockOf<R, Law>& rock, const SubstepOf<R, Law>& step, const PredictionOf<R, Law>& p
-) {
+BARRENO_FUNCTION R skeleton_strain(const SubstepOf<R, Law>& step, const PredictionOf<R, Law>& p) {
   if constexpr (has_poroplastic_fluid<Law>)
-    return step.dv + p.rise * rock.constituents.per_matrix;
+    return step.dv + p.rise * p.per_matrix;
   else
     return step.dv;
 }
@@ -84,13 +83,10 @@ BARRENO_FUNCTION R skeleton_strain(
 /// Stress from moduli of the skeleton, and where the fluid is, from how its pressure rises.
 template <class R, class Law>
 BARRENO_FUNCTION void predict_with(
-    const RockOf<R, Law>& rock,
-    const SubstepOf<R, Law>& step,
-    const ModuliOf<R>& used,
-    PredictionOf<R, Law>& p
+    const SubstepOf<R, Law>& step, const ModuliOf<R>& used, PredictionOf<R, Law>& p
 ) {
   p.used = used;
-  p.x = step.n.x + 3.0 * used.bulk * skeleton_strain(rock, step, p);
+  p.x = step.n.x + 3.0 * used.bulk * skeleton_strain(step, p);
   p.s = step.n.s + R(2.0 * used.shear) * step.de;
   p.J2 = squared(p.s);
   p.q = real::sqrt(p.J2);
@@ -113,7 +109,8 @@ BARRENO_FUNCTION R scaled_J2(const PredictionOf<R, Law>& p) {
     return p.J2;
 }
 
-/// Path of the fluid's pressure in an elastic substep with this bulk modulus of the skeleton.
+/// Path of the fluid's pressure in an elastic substep with this bulk modulus of the skeleton, and
+/// p.per_matrix.
 template <class R, class Law>
 BARRENO_FUNCTION void predict_pressure(
     const RockOf<R, Law>& rock,
@@ -125,21 +122,22 @@ BARRENO_FUNCTION void predict_pressure(
   if constexpr (has_poroplastic_fluid<Law>) {
     const Constituents& c = rock.constituents;
     const PoresOf<R>& n = step.pores;
-    const R biot = 1.0 - bulk * c.per_matrix;
-    const R guess = -biot * step.dv / storage_of(c, n, bulk);
-    const FilledOf<R> f = fill_pores(c, n, elastic_grains(c, n, bulk, step.dv), step.dv, guess);
+    const R biot = 1.0 - bulk * p.per_matrix;
+    const R guess = -biot * step.dv / storage_of(compliances_at(c, n, step.n.x), n, bulk);
+    const FilledOf<R> f = fill_elastic_pores(c, n, step.n.x, p.per_matrix, bulk, step.dv, guess);
     p.rise = f.rise;
     p.elastic = f.end;
-    p.fall = fall_of(c, f.end, bulk);
+    const R x_end = step.n.x + 3.0 * bulk * (step.dv + f.rise * p.per_matrix);
+    p.fall = fall_of(compliances_at(c, f.end, x_end), f.end, bulk);
   }
 }
 
 /// 3K of the skeleton, as seen by a return: what plastic strain takes off the fluid's pressure
 /// strains it too.
 template <class R, class Law>
-BARRENO_FUNCTION R stiffness_of_return(const RockOf<R, Law>& rock, const PredictionOf<R, Law>& p) {
+BARRENO_FUNCTION R stiffness_of_return(const PredictionOf<R, Law>& p) {
   if constexpr (has_poroplastic_fluid<Law>)
-    return 3.0 * p.used.bulk * (1.0 + p.fall * rock.constituents.per_matrix);
+    return 3.0 * p.used.bulk * (1.0 + p.fall * p.per_matrix);
   else
     return 3.0 * p.used.bulk;
 }
@@ -156,7 +154,11 @@ BARRENO_FUNCTION R pressure_error(
   const R rise = p.rise - p.fall * (a.end.evp - step.n.evp);
   const R missed = a.pores.pressure - step.pores.pressure - rise;
   constexpr double per_root_3 = 0.57735026918962576;
-  return (3.0 * per_root_3 * rock.constituents.per_matrix) * p.used.bulk * real::abs(missed);
+  const R of_pressure = (3.0 * per_root_3) * p.per_matrix * p.used.bulk * real::abs(missed);
+  const Constituents& c = rock.constituents;
+  if (!c.change()) return of_pressure;
+  return of_pressure +
+         error_of_grains(c, step.pores, step.n.x, a.pores, a.end.x, p.per_matrix, p.used.bulk);
 }
 
 /// The path of the fluid's pressure for a second pass: through the end of the first.
@@ -169,7 +171,10 @@ BARRENO_FUNCTION void follow_pressure(
     PredictionOf<R, Law>& p
 ) {
   if constexpr (has_poroplastic_fluid<Law>) {
-    p.fall = fall_of(rock.constituents, a.pores, bulk);
+    const Constituents& c = rock.constituents;
+    p.fall = fall_of(compliances_at(c, a.pores, a.end.x), a.pores, bulk);
+    const R pressures = step.pores.pressure + a.pores.pressure;
+    p.per_matrix = per_matrix_between(c, pressures, R(step.n.x + a.end.x));
     p.rise = a.pores.pressure - step.pores.pressure + p.fall * (a.end.evp - step.n.evp);
   }
 }
@@ -185,7 +190,7 @@ BARRENO_FUNCTION R metric_of(
   else
     metric = rock.flow.metric(p.used, step.n.x, step.n.evp, step.cap);
   if constexpr (has_poroplastic_fluid<Law>)
-    return metric * (1.0 + p.fall * rock.constituents.per_matrix);
+    return metric * (1.0 + p.fall * p.per_matrix);
   else
     return metric;
 }

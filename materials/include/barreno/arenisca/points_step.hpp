@@ -9,13 +9,37 @@ namespace barreno::arenisca {
 // A whole step of one or several points, in substeps that each chooses by its own local error.
 
 /// Moduli at the middle of a substep, I1 kept within what the surface admits.
-template <class R, class Law>
-BARRENO_FUNCTION ModuliOf<R> used_moduli(
-    const Law& rock, const R& triple_dv, const CapOf<R>& cap, const ElasticStateOf<R>& n
+template <class R>
+struct MiddleOf {
+  ModuliOf<R> moduli;
+  R per_matrix{};  ///< 1/Km there [1/stress]
+};
+/// @param holder  of the pores, and of the volume strain `dv`
+/// @param strain  that of the skeleton
+template <class R, class Law, class Holder>
+BARRENO_FUNCTION MiddleOf<R> used_moduli(
+    const Law& rock,
+    [[maybe_unused]] const Holder& holder,
+    const R& strain,
+    const CapOf<R>& cap,
+    const ElasticStateOf<R>& n
 ) {
-  R x = smaller_of(R(n.x + n.moduli.bulk * triple_dv), R(R{} + rock.surface.vertex));
+  R x = smaller_of(R(n.x + n.moduli.bulk * R(3.0 * strain)), R(R{} + rock.surface.vertex));
   x = real::select(cap.present & (x < cap.X), cap.X, x);
-  return rock.elasticity.moduli_midway(n, R(x - n.x));
+  MiddleOf<R> middle{rock.elasticity.moduli_midway(n, R(x - n.x))};
+  if constexpr (has_poroplastic_fluid<Law>) {
+    const Constituents& c = rock.constituents;
+    middle.per_matrix = R{} + c.per_matrix;
+    if (!c.change()) return middle;
+    const R at_start = compliances_at(c, holder.pores, n.x).whole;
+    PoresOf<R> pores = holder.pores;
+    const R rise = (strain - holder.dv) / at_start;
+    pores.pressure = real::larger(R(pores.pressure + 0.5 * rise), 0.0);
+    const R x_middle = 0.5 * (n.x + x);
+    middle.moduli.bulk = bulk_under_pressure(c, pores, x_middle, middle.moduli.bulk);
+    middle.per_matrix = c.grain_compliance(R(pores.pressure - x_middle * (1.0 / 3.0)));
+  }
+  return middle;
 }
 
 /// Elastic prediction with the moduli of this plastic strain.
@@ -26,13 +50,24 @@ BARRENO_FUNCTION PredictionOf<R, Law> predict_points(
   PredictionOf<R, Law> p;
   p.evp = evp;
   p.begin = rock.elasticity.state_at(step.n.x, evp);
+  press_moduli(rock, step, step.n.x, p.begin.moduli);
   p.start = p.begin.moduli;
-  const R strain = skeleton_guess<R>(rock, step, p.start.bulk);
-  const ModuliOf<R> used = used_moduli(rock, R(3.0 * strain), step.cap, p.begin);
-  predict_pressure(rock, step, used.bulk, p);
-  predict_with(rock, step, used, p);
+  const R strain = skeleton_guess<R>(rock, step, step.n.x, p.start.bulk);
+  const MiddleOf<R> middle = used_moduli(rock, step, strain, step.cap, p.begin);
+  if constexpr (Law::wet) p.per_matrix = middle.per_matrix;
+  predict_pressure(rock, step, middle.moduli.bulk, p);
+  predict_with(step, middle.moduli, p);
   find_angle(rock, p.s, p);
   return p;
+}
+
+/// Moduli of dry rock at an elastic prediction into those under the pressure of the fluid there.
+template <class R, class Law>
+BARRENO_FUNCTION void press_elastic_moduli(
+    const RockOf<R, Law>& rock, const PredictionOf<R, Law>& p, ModuliOf<R>& moduli
+) {
+  if constexpr (has_poroplastic_fluid<Law>)
+    moduli.bulk = bulk_under_pressure(rock.constituents, p.elastic, p.x, moduli.bulk);
 }
 
 /// End of elastic substeps, where `inside`.
@@ -55,6 +90,12 @@ BARRENO_FUNCTION void accept_elastic(
   R work{};
   if constexpr (Law::wet) {
     assign_where(inside, p.elastic, a.pores);
+    if constexpr (has_poroplastic_fluid<Law>) {
+      const Constituents& c = rock.constituents;
+      const R of_grains =
+          error_of_grains(c, step.pores, n.x, p.elastic, p.x, p.per_matrix, p.used.bulk);
+      a.error = real::select(inside, a.error + of_grains, a.error);
+    }
     work = work_of_stress(step, a);
   } else {
     work = 0.5 * (n.x + p.x) * (step.dv * (1.0 / 3.0)) + dot(n.s + p.s, step.de);
@@ -121,7 +162,7 @@ BARRENO_FUNCTION void begin_to_dilate(
   // Such a start that the mean of both ends is what was used.
   mixed.start = {2.0 * used.bulk - soft.bulk, 2.0 * used.shear - soft.shear};
   predict_pressure(rock, step, used.bulk, mixed);
-  predict_with(rock, step, used, mixed);
+  predict_with(step, used, mixed);
   find_angle(rock, mixed.s, mixed);
   const MeridianOf<R> m = meridian_at(rock.surface, mixed.x, step.cap);
   // A trace of dilation, and the softer rock may no longer reach the surface.
@@ -129,7 +170,9 @@ BARRENO_FUNCTION void begin_to_dilate(
   AttemptOf<R, Law> b = flow_points(rock, MaskOf<R>(asked & !inside), step, mixed, m, choose);
   if (real::any(inside)) accept_elastic(rock, inside, step, mixed, soft, b);
   // The elastic part has its own error, that of its moduli on the way to the surface.
-  const ModuliOf<R> at_flow = rock.elasticity.moduli_at(R(n.x + t * (p.x - n.x)), n.evp);
+  const R x_flow = n.x + t * (p.x - n.x);
+  ModuliOf<R> at_flow = rock.elasticity.moduli_at(x_flow, n.evp);
+  press_moduli(rock, step, x_flow, at_flow);
   b.error =
       real::select(inside, 0.0, b.error) +
       t * mismatch_of(p.start, p.used, at_flow) * size_of_stress(R(p.x - n.x), squared(p.s - n.s));
@@ -158,7 +201,8 @@ BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
   }
   a.elastic = inside;
   if (!real::any(asked & inside)) return a;
-  const ModuliOf<R> moduli = rock.elasticity.moduli_after(MaskOf<R>(asked & inside), p.begin, p.x);
+  ModuliOf<R> moduli = rock.elasticity.moduli_after(MaskOf<R>(asked & inside), p.begin, p.x);
+  press_elastic_moduli(rock, p, moduli);
   accept_elastic(rock, inside, step, p, moduli, a);
   return a;
 }
@@ -227,7 +271,12 @@ BARRENO_FUNCTION void add_missed(
 ) {
   R strain = fraction * step.dv;
   if constexpr (has_poroplastic_fluid<Law>)
-    strain = strain + (a.pores.pressure - step.pores.pressure) * rock.constituents.per_matrix;
+    strain = strain + (a.pores.pressure - step.pores.pressure) *
+                          per_matrix_between(
+                              rock.constituents,
+                              R(a.pores.pressure + step.pores.pressure),
+                              R(a.end.x + step.state.x)
+                          );
   const R &bulk = a.used.bulk, &shear = a.used.shear;
   step.mean_moduli.bulk = step.mean_moduli.bulk + real::select(takes, fraction * bulk, 0.0);
   step.mean_moduli.shear = step.mean_moduli.shear + real::select(takes, fraction * shear, 0.0);
@@ -270,13 +319,16 @@ BARRENO_FUNCTION void take_substeps(
   assign_where(takes, a.end, step.state);
   step.elastic_work = step.elastic_work + real::select(takes, a.elastic_work, 0.0);
   step.plastic_work = step.plastic_work + real::select(takes, a.plastic_work, 0.0);
-  const R bulk = bulk_of<R>(rock, a, a.moduli.bulk);
+  const R bulk = bulk_of<R>(rock, a, a.end.x, a.moduli.bulk);
   step.modulus = real::select(takes, bulk + (4.0 / 3.0) * a.moduli.shear, step.modulus);
   if constexpr (has_poroplastic_fluid<Law>) {
     if (real::any(step.inflow != 0.0)) {
       const R begin = step.pores.pressure, end = a.pores.pressure;
       // What comes later is compressed by then.
-      const R ratio = real::exp(R(rock.constituents.per_fluid * (begin - end)));
+      const Constituents& c = rock.constituents;
+      const R thinner = c.fluid_stiffening == 0.0 ? R(c.per_fluid * (begin - end))
+                                                  : R(c.fluid_strain(begin) - c.fluid_strain(end));
+      const R ratio = real::exp(thinner);
       const R volume = real::select(takes, fraction * step.inflow, 0.0);
       step.fluid_work = step.fluid_work + 0.5 * (begin + end * ratio) * volume;
       step.inflow = real::select(takes, step.inflow * ratio, step.inflow);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/constituents.hpp"
 #include "barreno/arenisca/parts/list.hpp"
 #include "barreno/arenisca/yield_surface.hpp"
 #include "barreno/real.hpp"
@@ -57,13 +58,6 @@ template <class R, class Law>
 BARRENO_FUNCTION MaskOf<R> is_at_jump(const Law& rock, const R& evp) {
   return (evp >= -rock.jump_width) & !rock.elasticity.dilated(evp);
 }
-
-/// Bulk moduli of what fills a volume of saturated rock [stress].
-struct Constituents {
-  double matrix = 0.0;  ///< Km, of the grains
-  double fluid = 0.0;   ///< Kf
-  double per_matrix = 0.0, per_fluid = 0.0;
-};
 
 /// Rock with fluid in its pores: the dry rock for the effective stress, and what fills the rest.
 template <class Parts_>

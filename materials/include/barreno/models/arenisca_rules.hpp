@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/constituents.hpp"
 #include "barreno/models/arenisca_parameters.hpp"
 
 #include <cmath>
@@ -12,20 +13,40 @@ namespace barreno {
 // within a part are its own.
 namespace arenisca {
 
+/// Grains and fluid whose moduli change with the pressure.
+inline std::string check_stiffening(const AreniscaParameters& p) {
+  const std::string stiffening = named("Fluid stiffening", p.fluid_stiffening);
+  if (p.fluid_B0 == 0.0) {
+    if (p.fluid_stiffening == 0.0) return {};
+    return stiffening +
+           " needs a fluid, but fluid_B0 = 0 (dry rock); set fluid_B0, or leave it out.";
+  }
+  const bool grains = p.grain_stiffening > 0.0, turns = p.transition_strain > 0.0;
+  if (!grains && !turns && p.fluid_stiffening == 0.0) return {};
+  if (!is_poroplastic(p)) {
+    const std::string first = grains  ? named("Grain stiffening", p.grain_stiffening)
+                              : turns ? named("Transition strain", p.transition_strain)
+                                      : stiffening;
+    return first +
+           " goes with fluid_B0 only in the form Backstress strain = poroplastic of rock with "
+           "pores "
+           "(the published forms have constant moduli of grains and fluid); set that form and "
+           "p3_crush_curve, or leave it out.";
+  }
+  constexpr double jet = 40e9;  // Pa: what a fast jet brings to bear
+  const Constituents c = Constituents::make(p);
+  if (p.fluid_stiffening == 0.0 || c.fluid_strain(jet) > c.grain_strain(jet)) return {};
+  return stiffening + " makes the fluid less compressible than the grains on the way to 40 GPa " +
+         "(volumes fall to " + shown(std::exp(-c.fluid_strain(jet))) + " and " +
+         shown(std::exp(-c.grain_strain(jet))) +
+         "); lower it (water: about 8), or raise Grain stiffening (quartz: 5).";
+}
+
 inline std::string check_fluid(const AreniscaParameters& p) {
   if (p.fluid_B0 == 0.0) {
     if (p.fluid_pressure_initial == 0.0) return {};
     return named("fluid_pressure_initial", p.fluid_pressure_initial) +
            " needs a fluid, but fluid_B0 = 0 (dry rock); set fluid_B0, or the pressure to 0.";
-  }
-  if (p.grain_stiffening > 0.0 || p.transition_strain > 0.0) {
-    const bool stiffens = p.grain_stiffening > 0.0;
-    return named(
-               stiffens ? "Grain stiffening" : "Transition strain",
-               stiffens ? p.grain_stiffening : p.transition_strain
-           ) +
-           " is for dry rock, but fluid_B0 = " + shown(p.fluid_B0) +
-           " (the grains of wet rock have one bulk modulus, Matrix bulk modulus); leave one out.";
   }
   if (is_poroplastic(p) && p.return_solver != 0) {
     return "Return solver = bisection does not go with Backstress strain = poroplastic (it is the "
@@ -154,6 +175,7 @@ inline std::string check_arenisca(const AreniscaParameters& p) {
   std::string problem = arenisca::check_parts(p, arenisca::AllParts{});
   for (const auto rule :
        {arenisca::check_fluid,
+        arenisca::check_stiffening,
         arenisca::check_scattered_vertex,
         arenisca::check_crushed_bulk_modulus,
         arenisca::check_damage,

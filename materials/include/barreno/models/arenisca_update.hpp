@@ -58,6 +58,7 @@ BARRENO_FUNCTION StartOf<R, Law> start_of(const RockOf<R, Law>& rock, const Poin
     n.x = n.x + 3.0 * n.pores.pressure;
   }
   n.elastic = rock.elasticity.state_at(n.x, n.evp);
+  press_moduli(rock, n, n.x, n.elastic.moduli);
   return n;
 }
 
@@ -75,6 +76,7 @@ BARRENO_FUNCTION Sym3Of<R> tensor_of(const ShearIn<R, Law>& s, const Points& p) 
 /// The fluid under the dynamic stress: overstress loads the grains too, and the volumes tell the
 /// pressure. What little the difference strains the skeleton (over Km) is left out.
 /// @param moves   where it is asked for
+/// @param x       I1 of the effective quasi-static stress at the end [stress]
 /// @param gained  change of I1 of the overstress [stress]
 /// @param[in,out] pores  at the end of the quasi-static step; those under the dynamic stress
 /// @return by how much the pressure is higher [stress]
@@ -84,6 +86,7 @@ BARRENO_FUNCTION R press_pores(
     const MaskOf<R>& moves,
     const PoresOf<R>& begin,
     const R& volume_strain,
+    const R& x,
     const R& gained,
     PoresOf<R>& pores
 ) {
@@ -92,9 +95,11 @@ BARRENO_FUNCTION R press_pores(
   const R rise = pores.pressure - begin.pressure;
   // The grains of the quasi-static step, by their volume, and what is added to their load.
   GrainsOf<R> grains;
-  grains.slope = R{} - c.per_matrix;
+  // Their compliance is that of the end: overstress changes little of it.
+  const R per_matrix = compliances_at(c, pores, x).whole;
+  grains.slope = R{} - per_matrix;
   grains.begin = real::log(R(pores.solid / begin.solid)) + volume_strain - grains.slope * rise +
-                 gained * ((1.0 / 3.0) * c.per_matrix) / begin.solid;
+                 gained * R((1.0 / 3.0) * per_matrix) / begin.solid;
   const FilledOf<R> f = fill_pores(c, begin, grains, volume_strain, rise);
   assign_where(moves, f.end, pores);
   return real::select(moves, f.end.pressure - begin.pressure - rise, 0.0);
@@ -169,10 +174,15 @@ BARRENO_FUNCTION void add_overstress(
   if constexpr (has_poroplastic_fluid<Law>) {
     const MaskOf<R> moves = over_any & (p.increment.dt > 0.0);
     const R gained = trace(new_over - over);
-    const R more = press_pores(rock, moves, begin, trace(strain), gained, end.pores);
+    const R x = trace(quasi_static);
+    const R more = press_pores(rock, moves, begin, trace(strain), x, gained, end.pores);
     end.stress = end.stress - isotropic(more);
     const R rise = end.pores.pressure - begin.pressure;
-    strain = strain + isotropic(R(rise * ((1.0 / 3.0) * rock.constituents.per_matrix)));
+    const R x_begin = trace(p.stress - over) + 3.0 * begin.pressure;
+    const R per_matrix = per_matrix_between(
+        rock.constituents, R(begin.pressure + end.pores.pressure), R(x_begin + x)
+    );
+    strain = strain + isotropic(R(rise * R((1.0 / 3.0) * per_matrix)));
   }
   const Sym3Of<R> before = p.stress + isotropic(begin.pressure);
   end.stress = end.stress + new_over;

@@ -94,8 +94,8 @@ struct FeaturedForm {
     static_assert(Law::heated, "rock with heat");
     const R warming = heat * rock_.heat.per_specific_heat;
     h.temperature = h.temperature + warming;
-    h.thermal_expansion = h.thermal_expansion +
-                          rock_.heat.expansion(warming, arenisca::rock_pressure<Law>(stress, h));
+    const R pressure = trace(stress) * (-1.0 / 3.0);
+    h.thermal_expansion = h.thermal_expansion + rock_.heat.expansion(warming, pressure);
   }
 
   History initial_history() const { return full(plain_.initial_history()); }

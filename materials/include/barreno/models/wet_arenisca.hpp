@@ -68,21 +68,25 @@ struct WetAreniscaOf {
   /// Lets fluid in or out at fixed strain: the model's own update with more or less fluid in it.
   BARRENO_FUNCTION Outcome drain(double fluid_volume, Sym3& stress, History& h) const;
 
-  /// Bound on K + 4G/3 over all reachable states: saturated rock without pores is grain [stress].
+  /// Bound on K + 4G/3 over all reachable states: saturated rock without pores is grain. Without
+  /// bound where grains or fluid stiffen [stress].
   BARRENO_FUNCTION double longitudinal_modulus() const {
     const arenisca::Moduli m = rock_.elasticity.upper_bound();
+    if (rock_.constituents.change()) return HUGE_VAL;
     return std::fmax(m.bulk, rock_.constituents.matrix) + 4.0 / 3.0 * m.shear;
   }
   /// K + 4G/3 of a point in this state, without a way out for the fluid [stress].
   BARRENO_FUNCTION double
   longitudinal_modulus(const Sym3& stress, const History& h, double /*volume_ratio*/) const {
     const arenisca::Moduli m = drained_moduli(stress, h);
-    return arenisca::undrained_bulk(rock_.constituents, pores(h), m.bulk) + 4.0 / 3.0 * m.shear;
+    return arenisca::undrained_bulk(compliances(stress, h), pores(h), m.bulk) + 4.0 / 3.0 * m.shear;
   }
   /// Tangent moduli of the drained rock in this state.
   BARRENO_FUNCTION arenisca::Moduli drained_moduli(const Sym3& stress, const History& h) const {
-    const double x = trace(stress) + 3.0 * h.pore_pressure;
-    return rock_.elasticity.moduli_at(x, h.plastic_volume_strain);
+    const double x = effective_I1(stress, h);
+    arenisca::Moduli m = rock_.elasticity.moduli_at(x, h.plastic_volume_strain);
+    m.bulk = arenisca::bulk_under_pressure(rock_.constituents, pores(h), x, m.bulk);
+    return m;
   }
   const Parameters& parameters() const { return p_; }
   const Law& rock() const { return rock_; }
@@ -93,15 +97,19 @@ struct WetAreniscaOf {
            h.pore_pressure >= 0.0 && h.porosity >= 0.0 && h.porosity < 1.0 && h.gas >= 0.0 &&
            h.gas <= h.porosity;
   }
-  static double matrix_modulus(const Parameters& p) {
-    return p.matrix_bulk_modulus > 0.0 ? p.matrix_bulk_modulus : p.B0 + p.B1;
-  }
 
 private:
   InitialStateOf<Sym3, History> state_at_rest(double pressure, double pore_pressure) const;
   static Law make_rock(const Parameters& p);
   BARRENO_FUNCTION static arenisca::PoresOf<double> pores(const History& h) {
     return {h.pore_pressure, 1.0 - h.porosity, h.porosity - h.gas};
+  }
+  BARRENO_FUNCTION static double effective_I1(const Sym3& stress, const History& h) {
+    return trace(stress) + 3.0 * h.pore_pressure;
+  }
+  BARRENO_FUNCTION arenisca::CompliancesOf<double> compliances(const Sym3& stress, const History& h)
+      const {
+    return arenisca::compliances_at(rock_.constituents, pores(h), effective_I1(stress, h));
   }
   /// Fluid mass ratio for one volume of the fluid in the pores.
   BARRENO_FUNCTION double mass_per_volume(const Sym3& stress, const History& h) const;
@@ -131,8 +139,7 @@ template <class Parts>
 typename WetAreniscaOf<Parts>::Law WetAreniscaOf<Parts>::make_rock(const Parameters& p) {
   Law rock;
   static_cast<arenisca::DryRock<Parts>&>(rock) = AreniscaOf<Parts>(p, 1.0).rock();
-  const double matrix = matrix_modulus(p);
-  rock.constituents = {matrix, p.fluid_B0, 1.0 / matrix, 1.0 / p.fluid_B0};
+  rock.constituents = arenisca::Constituents::make(p);
   rock.initial_pressure = p.fluid_pressure_initial;
   rock.porosity = -std::expm1(-p.p3_crush_curve);
   return rock;
@@ -155,20 +162,24 @@ InitialStateOf<Sym3, typename WetAreniscaOf<Parts>::History> WetAreniscaOf<Parts
   const arenisca::Constituents& c = rock_.constituents;
   constexpr int intervals = 1000;
   const double effective = pressure - pore_pressure, step = effective / intervals;
-  const double first = pore_pressure - rock_.initial_pressure;
-  double solid = 1.0 - rock_.porosity, strain = -first * c.per_matrix;
-  double energy = 0.5 * (pore_pressure + rock_.initial_pressure) * first * c.per_matrix;
+  double solid = 1.0 - rock_.porosity;
+  double strain = -c.grain_strain_between(rock_.initial_pressure, pore_pressure);
+  double energy = c.work_on_grains(rock_.initial_pressure, pore_pressure);
   for (int i = 0; i < intervals; ++i) {
-    const double middle = (i + 0.5) * step;
-    const double part = -step / rock_.elasticity.moduli_at(-3.0 * middle, 0.0).bulk;
-    solid *= std::exp(-step * c.per_matrix / solid - part);
+    const double middle = (i + 0.5) * step, x = -3.0 * middle;
+    const double dry = rock_.elasticity.moduli_at(x, 0.0).bulk;
+    const arenisca::PoresOf<double> pores{pore_pressure, solid};
+    const double part = -step / arenisca::bulk_under_pressure(c, pores, x, dry);
+    solid *= std::exp(-step * arenisca::compliances_at(c, pores, x).whole / solid - part);
     strain += part;
     energy -= (pore_pressure + middle) * part;
   }
   History h;
   h.pore_pressure = pore_pressure;
   h.porosity = std::fmax(0.0, 1.0 - solid);
-  h.fluid_mass_ratio = h.porosity / rock_.porosity * std::exp(strain + first * c.per_fluid);
+  h.fluid_mass_ratio =
+      h.porosity / rock_.porosity *
+      std::exp(strain + c.fluid_strain_between(rock_.initial_pressure, pore_pressure));
   const arenisca::Cap cap = rock_.cap_at(0.0);
   const double x = -3.0 * effective;
   const bool possible = pressure >= 0.0 && pore_pressure >= 0.0 && (!cap.present || x > cap.X) &&

@@ -16,11 +16,15 @@ BARRENO_FUNCTION double WetAreniscaOf<Parts>::mass_per_volume(const Sym3& stress
   // Emptied pores: the volume since the beginning from that of the grains.
   const arenisca::Constituents& c = rock_.constituents;
   const double solid = 1.0 - h.porosity;
-  const double effective = -trace(stress) / 3.0 - h.pore_pressure;
-  const double grain_pressure = h.pore_pressure + effective / solid - rock_.initial_pressure;
-  const double volume = (1.0 - rock_.porosity) / solid * std::exp(-grain_pressure * c.per_matrix);
-  return volume / rock_.porosity *
-         std::exp((h.pore_pressure - rock_.initial_pressure) * c.per_fluid);
+  const double pressure = h.pore_pressure, virgin = rock_.initial_pressure;
+  const double total = -trace(stress) / 3.0;
+  double denser = (pressure + (total - pressure) / solid - virgin) * c.per_matrix;
+  if (c.change()) {
+    const double own = c.grain_strain(total) - h.porosity * c.grain_strain(pressure);
+    denser = own / solid - c.grain_strain(virgin);
+  }
+  const double volume = (1.0 - rock_.porosity) / solid * std::exp(-denser);
+  return volume / rock_.porosity * std::exp(c.fluid_strain_between(virgin, pressure));
 }
 
 template <class Parts>
@@ -28,11 +32,12 @@ BARRENO_FUNCTION PorePoint
 WetAreniscaOf<Parts>::pore_point(const Sym3& stress, const History& h) const {
   constexpr double gas = 5e-5;  // bulk modulus over the fluid's: of air and water
   const arenisca::Constituents& c = rock_.constituents;
+  const arenisca::CompliancesOf<double> k = compliances(stress, h);
   const double bulk = drained_moduli(stress, h).bulk;
   PorePoint p;
   p.pressure = h.pore_pressure;
-  p.biot = 1.0 - bulk * c.per_matrix;
-  p.storage = arenisca::storage_of(c, pores(h), bulk);
+  p.biot = 1.0 - bulk * k.whole;
+  p.storage = arenisca::storage_of(k, pores(h), bulk);
   p.porosity = h.porosity;
   p.fluid_mass = h.fluid_mass_ratio;
   p.mass_per_volume = mass_per_volume(stress, h);

@@ -10,7 +10,7 @@ namespace barreno::arenisca {
 /// and stand in arenisca_rules.hpp.
 struct Fluid {
   struct Parameters {
-    double fluid_B0, fluid_pressure_initial, matrix_bulk_modulus;
+    double fluid_B0, fluid_stiffening, fluid_pressure_initial, matrix_bulk_modulus;
     int backstress_strain, undrained_moduli;
 
     /// Indices of words.
@@ -30,6 +30,15 @@ struct Fluid {
              "bulk modulus of the fluid; 0: dry"
          ),
          optional(
+             &P::fluid_stiffening,
+             "Fluid stiffening",
+             d::none,
+             at_least(0.0),
+             0.0,
+             "n: dK/dp of the fluid, whose bulk modulus at no pressure is fluid_B0. 0: a constant "
+             "modulus, for pressures far below fluid_B0"
+         ),
+         optional(
              &P::fluid_pressure_initial,
              "fluid_pressure_initial",
              d::stress,
@@ -43,7 +52,7 @@ struct Fluid {
              d::stress,
              at_least(0.0),
              0.0,
-             "bulk modulus of the grains; 0: B0 + B1"
+             "bulk modulus of the grains at no pressure; 0: B0 + B1"
          )},
         {{&P::backstress_strain,
           "Backstress strain",

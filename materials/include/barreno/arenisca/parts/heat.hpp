@@ -11,7 +11,7 @@ namespace barreno::arenisca {
 /// Heat of rock. Plastic work and artificial viscosity heat it, T = T0 + q/c. Heated grains expand
 /// by the volume strain (an eigenstrain: the law sees the strain without it)
 ///
-///   de_T = Gamma rho_s dq/K_s,   K_s = B0 + B1 + B' p
+///   de_T = Gamma rho_s dq/K_s,   K_s = B0 + B1 + B' p,   of wet rock Matrix bulk modulus + B' p
 ///
 /// which open pores and the cap take up. Closed ones do not: with K = K_s the pressure rises by
 /// Gamma rho_s dq, the thermal pressure of Mie and Grueneisen with a constant Gamma rho. The work
@@ -106,10 +106,10 @@ struct Heat {
   double pressure_per_kelvin = 0.0;  ///< Gamma rho_s c [stress/temperature]
   double initial_temperature = 293.0;
   double per_way_to_melting = 0.0;  ///< 1/(T_m - T0) [1/temperature]; 0: strength without heat
-  double grains = 1.0;              ///< B0 + B1 [stress]
+  double grains = 1.0;              ///< K_s at no pressure [stress]
   double stiffening = 0.0;          ///< B'
 
-  /// @param p        of heat and of the elasticity
+  /// @param p        of heat, elasticity and fluid
   /// @param density  of the rock, pores and all
   template <class All>
   static Heat make(const All& p, double density) {
@@ -121,7 +121,8 @@ struct Heat {
     h.pressure_per_kelvin = p.grueneisen * p.grain_density * p.specific_heat;
     if (p.melting_temperature > 0.0)
       h.per_way_to_melting = 1.0 / (p.melting_temperature - p.initial_temperature);
-    h.grains = p.B0 + p.B1;
+    const bool own_grains = p.fluid_B0 > 0.0 && p.matrix_bulk_modulus > 0.0;
+    h.grains = own_grains ? p.matrix_bulk_modulus : p.B0 + p.B1;
     h.stiffening = p.grain_stiffening;
     return h;
   }
@@ -132,7 +133,7 @@ struct Heat {
     const R way = (temperature - initial_temperature) * per_way_to_melting;
     return real::smaller(real::larger(R(1.0 - way), least), 1.0);
   }
-  /// Volume strain of grains that get hotter, under a (effective) mean pressure. What round-off
+  /// Volume strain of grains that get hotter, under a mean pressure. What round-off
   /// makes of rock at rest is nothing.
   template <class R>
   BARRENO_FUNCTION R expansion(const R& warming, const R& pressure) const {
