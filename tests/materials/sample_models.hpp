@@ -373,8 +373,16 @@ struct Sample<HeatedArenisca> : Sample<Arenisca> {
 };
 template <>
 struct Sample<HeatedWetArenisca> : Sample<Arenisca> {
+  /// Grains and fluid stiffen, and grains turn into a denser phase.
   static Arenisca::Parameters parameters() {
-    return Sample<HeatedArenisca>::heated(Sample<DamagedWetArenisca>::parameters());
+    Arenisca::Parameters p =
+        Sample<HeatedArenisca>::heated(Sample<DamagedWetArenisca>::parameters());
+    p.grain_stiffening = 5.0;
+    p.fluid_stiffening = 8.0;
+    p.transition_strain = 0.2;
+    p.transition_start = 12e9;
+    p.transition_end = 35e9;
+    return p;
   }
 };
 

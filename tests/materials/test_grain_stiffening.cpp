@@ -136,9 +136,6 @@ TEST(GrainStiffening, IsRefusedWhereItContradicts) {
   EXPECT_TRUE(names(
       fault([](Parameters& p) { p.transition_strain = 0.0; }), "Transition start = 1.2e+10 needs"
   ));
-  EXPECT_TRUE(
-      names(fault([](Parameters& p) { p.fluid_B0 = 2e9; }), "Grain stiffening = 5 is for dry rock")
-  );
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ bulk_under_pressure(const Constituents& c, const PoresOf<R>& n, const R& x, cons
   const CompliancesOf<R> k = compliances_at(c, n, x);
   const R of_pores = 1.0 / dry - c.grain_compliance(R(x * (-1.0 / 3.0)));
   const R excess = (1.0 - n.solid) * (k.alone - 0.5 * k.fluid);
-  const R asked = smaller_of(real::larger(excess, 0.0), R(0.5 * k.whole));
+  const R asked = smaller_of(real::larger(excess, 0.0), R(0.9 * k.whole));
   const R least = asked * k.whole / (k.whole - asked);
   return real::select(n.pressure > 0.0, 1.0 / (larger_of(of_pores, least) + k.whole), dry);
 }
@@ -156,7 +156,7 @@ struct FilledOf {
 /// are known to be too low and too high.
 template <class R>
 struct BracketOf {
-  R low, high = R{} + HUGE_VAL;
+  R low = R{} - HUGE_VAL, high = R{} + HUGE_VAL;
 
   BARRENO_FUNCTION R next(const R& rise, const R& excess, const R& softness, double farther) {
     low = real::select(excess > 0.0, rise, low);
@@ -191,7 +191,7 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
   const R fluid_strain = stiffens ? c.fluid_strain(n.pressure) : R{};
   R rise = real::select(dry, least, larger_of(guess, least));
   R solid{}, fluid{};
-  [[maybe_unused]] BracketOf<R> bracket{least};
+  [[maybe_unused]] BracketOf<R> bracket;
   // A point that has its answer keeps it: its bits must not depend on the other points.
   MaskOf<R> open = !none_of<R>();
   for (int i = 0; i < max_iterations; ++i) {
