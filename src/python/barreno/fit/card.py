@@ -13,7 +13,7 @@ from barreno.runs.faults import FILE, Fault
 DEFAULTS = {"YSLOPE": 0.0, "STREN": 0.0, "BETA_nonassociativity": 1.0, "CR": 0.5}  # of parameters that a card may leave out
 HEAD = {"Schema Version": 1, "Units": "SI", "Model": "Arenisca"}
 # A test is slow, on dry or drained rock of mean strength: what a card says beyond that has no part in it.
-NOT_IN_TESTS = ("fluid_B0", "fluid_pressure_initial", "Matrix bulk modulus", "T1_rate_dependence", "T2_rate_dependence",
+NOT_IN_TESTS = ("fluid_B0", "Fluid stiffening", "fluid_pressure_initial", "Matrix bulk modulus", "T1_rate_dependence", "T2_rate_dependence",
                 "Weibull modulus", "Weibull reference volume", "Weibull seed", "Weibull volume", "Weibull scatter")  # fmt: skip
 TOLERANCE = 1e-5  # of the stress update while a fit differentiates its answers
 
