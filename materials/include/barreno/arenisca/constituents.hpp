@@ -20,6 +20,7 @@ struct Constituents {
   double grain_stiffening = 0.0, fluid_stiffening = 0.0;  ///< B', n
   double transition_strain = 0.0;                         ///< D; 0: no transition
   double transition_start = 0.0, per_transition = 0.0;    ///< p_s, 1/(p_e - p_s)
+  bool change = false;  ///< whether a modulus depends on the pressure
 
   /// @param p  of the fluid and of the elasticity
   template <class All>
@@ -28,17 +29,14 @@ struct Constituents {
     Constituents c{matrix, p.fluid_B0, 1.0 / matrix, 1.0 / p.fluid_B0};
     c.grain_stiffening = p.grain_stiffening;
     c.fluid_stiffening = p.fluid_stiffening;
+    c.change = c.grain_stiffening != 0.0 || c.fluid_stiffening != 0.0;
     if (p.transition_strain == 0.0) return c;
+    c.change = true;
     c.transition_strain = p.transition_strain;
     c.transition_start = p.transition_start;
     c.per_transition = 1.0 / (p.transition_end - p.transition_start);
     return c;
   }
-  /// Whether a modulus depends on the pressure.
-  BARRENO_FUNCTION bool change() const {
-    return grain_stiffening != 0.0 || fluid_stiffening != 0.0 || transition_strain != 0.0;
-  }
-
   /// F of the grains: logarithm of their volume at no pressure over that at this one.
   template <class R>
   BARRENO_FUNCTION R grain_strain(const R& pressure) const {
@@ -57,15 +55,15 @@ struct Constituents {
   }
   /// Rise of F between two pressures.
   BARRENO_FUNCTION double grain_strain_between(double from, double to) const {
-    return change() ? grain_strain(to) - grain_strain(from) : (to - from) * per_matrix;
+    return change ? grain_strain(to) - grain_strain(from) : (to - from) * per_matrix;
   }
   BARRENO_FUNCTION double fluid_strain_between(double from, double to) const {
-    return change() ? fluid_strain(to) - fluid_strain(from) : (to - from) * per_fluid;
+    return change ? fluid_strain(to) - fluid_strain(from) : (to - from) * per_fluid;
   }
   /// Work of a pressure on grains alone between two pressures, the integral of p dF: Simpson's
   /// rule.
   BARRENO_FUNCTION double work_on_grains(double from, double to) const {
-    if (!change()) return 0.5 * (to + from) * (to - from) * per_matrix;
+    if (!change) return 0.5 * (to + from) * (to - from) * per_matrix;
     const double middle = 0.5 * (from + to);
     return (to - from) *
            (from * grain_compliance(from) + 4.0 * middle * grain_compliance(middle) +

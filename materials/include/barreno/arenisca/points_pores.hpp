@@ -4,6 +4,7 @@
 #include "barreno/arenisca/rock.hpp"
 
 #include <cmath>
+#include <type_traits>
 
 namespace barreno::arenisca {
 
@@ -17,9 +18,10 @@ namespace barreno::arenisca {
 //   solid exp(-(dP'/solid + dp)/Km) + fluid exp(-dp/Kf) = exp(d eps_v)      where the pores are
 //   full
 //
-// with P' the mean effective pressure; else gas fills the rest and p = 0. To first order this is
-// Biot's law with alpha = 1 - K/Km and 1/M = (alpha - phi)/Km + phi/Kf, plastic volume strain
-// included (O. Coussy, Poromechanics, 2004).
+// with P' the mean effective pressure; else gas fills the rest and p = 0. Under the pressures of a
+// jet the moduli change, and so do the volumes (10.6 to 10.9). To first order this is Biot's law
+// with alpha = 1 - K/Km and 1/M = (alpha - phi)/Km + phi/Kf, plastic volume strain included (O.
+// Coussy, Poromechanics, 2004).
 
 /// Pores of points: volumes over the volume, and the fluid's pressure.
 template <class R>
@@ -57,16 +59,23 @@ struct CompliancesOf {
   R alone;  ///< 1/Km at the pressure of the fluid
   R fluid;  ///< 1/Kf at that
 };
+/// Those of moduli that change; a function of its own, so that constant ones need not carry it.
+template <class R>
+BARRENO_ALIKE CompliancesOf<R> changed_compliances(
+    const Constituents& c, const R& pressure, const R& x
+) {
+  return {
+      c.grain_compliance(R(pressure - x * (1.0 / 3.0))),
+      c.grain_compliance(pressure),
+      c.fluid_compliance(pressure)};
+}
 /// @param x  I1 of the effective stress [stress]
 template <class R>
 BARRENO_FUNCTION CompliancesOf<R> compliances_at(
     const Constituents& c, const PoresOf<R>& n, const R& x
 ) {
-  if (!c.change()) return {R{} + c.per_matrix, R{} + c.per_matrix, R{} + c.per_fluid};
-  return {
-      c.grain_compliance(R(n.pressure - x * (1.0 / 3.0))),
-      c.grain_compliance(n.pressure),
-      c.fluid_compliance(n.pressure)};
+  if (c.change) return changed_compliances(c, n.pressure, x);
+  return {R{} + c.per_matrix, R{} + c.per_matrix, R{} + c.per_fluid};
 }
 
 /// Bulk modulus of the drained rock whose grains are under the pressure of a fluid too (docs/
@@ -78,15 +87,20 @@ BARRENO_FUNCTION CompliancesOf<R> compliances_at(
 /// porosity, lets them soften it by less.
 /// @param dry  bulk modulus of dry rock under the effective stress [stress]
 template <class R>
-BARRENO_FUNCTION R
-bulk_under_pressure(const Constituents& c, const PoresOf<R>& n, const R& x, const R& dry) {
-  if (!c.change()) return dry;
-  const CompliancesOf<R> k = compliances_at(c, n, x);
+BARRENO_ALIKE R
+bulk_of_pressed_grains(const Constituents& c, const PoresOf<R>& n, const R& x, const R& dry) {
+  const CompliancesOf<R> k = changed_compliances(c, n.pressure, x);
   const R of_pores = 1.0 / dry - c.grain_compliance(R(x * (-1.0 / 3.0)));
   const R excess = (1.0 - n.solid) * (k.alone - 0.5 * k.fluid);
   const R asked = smaller_of(real::larger(excess, 0.0), R(0.9 * k.whole));
   const R least = asked * k.whole / (k.whole - asked);
   return real::select(n.pressure > 0.0, 1.0 / (larger_of(of_pores, least) + k.whole), dry);
+}
+template <class R>
+BARRENO_FUNCTION R
+bulk_under_pressure(const Constituents& c, const PoresOf<R>& n, const R& x, const R& dry) {
+  if (c.change) return bulk_of_pressed_grains(c, n, x, dry);
+  return dry;
 }
 
 /// Logarithm of the grains' volume ratio as a function of the rise of p: begin + slope dp.
@@ -145,6 +159,12 @@ struct ChangingGrainsOf {
   }
 };
 
+/// Grains of which only the tangent is known, beside a fluid whose modulus changes.
+template <class R>
+struct TangentGrainsOf : GrainsOf<R> {
+  static constexpr bool change = true;
+};
+
 /// Where the fluid is and what it does when the volume changes.
 template <class R>
 struct FilledOf {
@@ -172,7 +192,7 @@ struct BracketOf {
 ///
 /// The volume that grains and fluid of constant moduli want falls with p and is convex: Newton's
 /// method converges from any start, kept at p = 0, where gas comes in.
-/// @param grains  GrainsOf or ChangingGrainsOf
+/// @param grains  GrainsOf, ChangingGrainsOf or TangentGrainsOf
 /// @param guess of the rise of the pressure [stress]
 template <class R, class Grains>
 BARRENO_FUNCTION FilledOf<R> fill_pores(
@@ -187,8 +207,8 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
   const R volume = real::exp(volume_strain);
   const R least = -n.pressure;
   const MaskOf<R> dry = !(n.fluid > 0.0);
-  const bool stiffens = c.fluid_stiffening != 0.0;
-  const R fluid_strain = stiffens ? c.fluid_strain(n.pressure) : R{};
+  [[maybe_unused]] R fluid_strain{};
+  if constexpr (Grains::change) fluid_strain = c.fluid_strain(n.pressure);
   R rise = real::select(dry, least, larger_of(guess, least));
   R solid{}, fluid{};
   [[maybe_unused]] BracketOf<R> bracket;
@@ -198,7 +218,7 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
     const GrainsOf<R> here = grains.at(rise);
     const R solid_here = n.solid * real::exp(here.begin);
     R fluid_here{}, per_fluid = R{} + c.per_fluid;
-    if (stiffens) {
+    if constexpr (Grains::change) {
       const R pressure = n.pressure + rise;
       per_fluid = c.fluid_compliance(pressure);
       fluid_here = n.fluid * real::exp(R(fluid_strain - c.fluid_strain(pressure)));
@@ -230,6 +250,18 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
   return f;
 }
 
+/// The same where moduli change.
+template <class R, class Grains>
+BARRENO_ALIKE FilledOf<R> fill_changing_pores(
+    const Constituents& c,
+    const PoresOf<R>& n,
+    const Grains& grains,
+    const R& volume_strain,
+    const R& guess
+) {
+  return fill_pores(c, n, grains, volume_strain, guess);
+}
+
 /// Pores at the end of an elastic step of this bulk modulus.
 /// @param x           I1 of the effective stress at its start [stress]
 /// @param per_matrix  1/Km on its way [1/stress]
@@ -243,11 +275,11 @@ BARRENO_FUNCTION FilledOf<R> fill_elastic_pores(
     const R& volume_strain,
     const R& guess
 ) {
-  if (!c.change())
+  if (!c.change)
     return fill_pores(c, n, elastic_grains(c, n, bulk, volume_strain), volume_strain, guess);
   const R effective = x * (-1.0 / 3.0) - bulk * volume_strain;
   const ChangingGrainsOf<R> grains(c, n, x, effective, R(bulk * per_matrix));
-  return fill_pores(c, n, grains, volume_strain, guess);
+  return fill_changing_pores(c, n, grains, volume_strain, guess);
 }
 /// Pores at the end of a step that ends with this I1 of the effective stress.
 template <class R>
@@ -259,45 +291,65 @@ BARRENO_FUNCTION FilledOf<R> fill_loaded_pores(
     const R& volume_strain,
     const R& guess
 ) {
-  if (!c.change()) return fill_pores(c, n, loaded_grains(c, n, R(x_end - x)), volume_strain, guess);
+  if (!c.change) return fill_pores(c, n, loaded_grains(c, n, R(x_end - x)), volume_strain, guess);
   const ChangingGrainsOf<R> grains(c, n, x, R(x_end * (-1.0 / 3.0)), R{});
-  return fill_pores(c, n, grains, volume_strain, guess);
+  return fill_changing_pores(c, n, grains, volume_strain, guess);
+}
+
+/// What follows from compliances, numbers where they are constant and points' own where they
+/// change.
+template <class R, class Rule>
+BARRENO_FUNCTION R
+with_compliances(const Constituents& c, const PoresOf<R>& n, const R& x, const Rule& rule) {
+  if (c.change) return rule(changed_compliances(c, n.pressure, x));
+  return rule(CompliancesOf<double>{c.per_matrix, c.per_matrix, c.per_fluid});
 }
 
 /// 1/M at fixed skeleton: what a unit of pressure stores in full pores [1/stress].
-template <class R>
-BARRENO_FUNCTION R storage_of(const CompliancesOf<R>& k, const PoresOf<R>& n, const R& bulk) {
+template <class R, class Number>
+BARRENO_FUNCTION R storage_of(const CompliancesOf<Number>& k, const PoresOf<R>& n, const R& bulk) {
   const R phi = 1.0 - n.solid;
-  const R of_grains = (n.solid - bulk * k.whole) * k.whole + phi * (k.whole - k.alone);
+  R of_grains = (n.solid - bulk * k.whole) * k.whole;
+  if constexpr (std::is_same_v<R, Number>) of_grains = of_grains + phi * (k.whole - k.alone);
   return of_grains + phi * k.fluid;
 }
 
 /// Fall of the pressure for a plastic volume strain of 1 at fixed total strain: (1 - alpha) M; 0
 /// where gas gives way [stress].
+/// @param x  I1 of the effective stress [stress]
 template <class R>
-BARRENO_FUNCTION R fall_of(const CompliancesOf<R>& k, const PoresOf<R>& n, const R& bulk) {
-  const R stiffness = bulk * k.whole / storage_of(k, n, bulk);
-  return real::select(n.pressure > 0.0, stiffness, 0.0);
+BARRENO_FUNCTION R fall_of(const Constituents& c, const PoresOf<R>& n, const R& x, const R& bulk) {
+  return with_compliances(c, n, x, [&](const auto& k) {
+    const R stiffness = bulk * k.whole / storage_of(k, n, bulk);
+    return R(real::select(n.pressure > 0.0, stiffness, 0.0));
+  });
 }
 
 /// Strain of the skeleton in an elastic volume strain, to first order; more fluid than pores
 /// stretches it.
+/// @param x  I1 of the effective stress [stress]
 template <class R>
 BARRENO_FUNCTION R skeleton_guess(
-    const CompliancesOf<R>& k, const PoresOf<R>& n, const R& bulk, const R& volume_strain
+    const Constituents& c, const PoresOf<R>& n, const R& x, const R& bulk, const R& volume_strain
 ) {
-  const R biot = 1.0 - bulk * k.whole;
-  const R excess = n.solid + n.fluid - 1.0;
-  const R rise = (excess - biot * volume_strain) / storage_of(k, n, bulk);
-  const MaskOf<R> full = (n.pressure > 0.0) | (excess > 0.0);
-  return volume_strain + real::select(full, rise * k.whole, 0.0);
+  return with_compliances(c, n, x, [&](const auto& k) {
+    const R biot = 1.0 - bulk * k.whole;
+    const R excess = n.solid + n.fluid - 1.0;
+    const R rise = (excess - biot * volume_strain) / storage_of(k, n, bulk);
+    const MaskOf<R> full = (n.pressure > 0.0) | (excess > 0.0);
+    return R(volume_strain + real::select(full, rise * k.whole, 0.0));
+  });
 }
 
 /// Undrained bulk modulus: K + alpha^2 M, Gassmann's; K where gas gives way [stress].
+/// @param x  I1 of the effective stress [stress]
 template <class R>
-BARRENO_FUNCTION R undrained_bulk(const CompliancesOf<R>& k, const PoresOf<R>& n, const R& bulk) {
-  const R biot = 1.0 - bulk * k.whole;
-  return bulk + real::select(n.pressure > 0.0, biot * biot / storage_of(k, n, bulk), 0.0);
+BARRENO_FUNCTION R
+undrained_bulk(const Constituents& c, const PoresOf<R>& n, const R& x, const R& bulk) {
+  return with_compliances(c, n, x, [&](const auto& k) {
+    const R biot = 1.0 - bulk * k.whole;
+    return R(bulk + real::select(n.pressure > 0.0, biot * biot / storage_of(k, n, bulk), 0.0));
+  });
 }
 
 // The same for any rock: `holder` is a structure of a step, with pores where the rock has them.
@@ -321,9 +373,7 @@ BARRENO_FUNCTION PoresOf<R> pores_before(const Rock& rock, const History& h) {
 template <class R, class Rock, class Step>
 BARRENO_FUNCTION R skeleton_guess(const Rock& rock, const Step& step, const R& x, const R& bulk) {
   if constexpr (has_poroplastic_fluid<Rock>)
-    return skeleton_guess(
-        compliances_at(rock.constituents, step.pores, x), step.pores, bulk, step.dv
-    );
+    return skeleton_guess(rock.constituents, step.pores, x, bulk, step.dv);
   else
     return step.dv;
 }
@@ -331,12 +381,10 @@ BARRENO_FUNCTION R skeleton_guess(const Rock& rock, const Step& step, const R& x
 /// @param x  I1 of the effective stress [stress]
 template <class R, class Rock, class Holder>
 BARRENO_FUNCTION R bulk_of(const Rock& rock, const Holder& holder, const R& x, const R& drained) {
-  if constexpr (has_poroplastic_fluid<Rock>) {
-    const CompliancesOf<R> k = compliances_at(rock.constituents, holder.pores, x);
-    return undrained_bulk(k, holder.pores, drained);
-  } else {
+  if constexpr (has_poroplastic_fluid<Rock>)
+    return undrained_bulk(rock.constituents, holder.pores, x, drained);
+  else
     return drained;
-  }
 }
 /// Moduli of dry rock into those under the pressure of a fluid.
 /// @param x  I1 of the effective stress [stress]
@@ -352,12 +400,12 @@ BARRENO_FUNCTION void press_moduli(
 template <class R>
 BARRENO_FUNCTION R
 per_matrix_between(const Constituents& c, const R& both_pressures, const R& both_x) {
-  if (!c.change()) return R{} + c.per_matrix;
+  if (!c.change) return R{} + c.per_matrix;
   return c.grain_compliance(R(0.5 * both_pressures - (0.5 / 3.0) * both_x));
 }
-/// Error of the effective stress from 1/Km that changed on the way [stress].
+/// Error of the effective stress from 1/Km that changed on the way; of moduli that change [stress].
 template <class R>
-BARRENO_FUNCTION R error_of_grains(
+BARRENO_ALIKE R error_of_grains(
     const Constituents& c,
     const PoresOf<R>& begin,
     const R& x_begin,
@@ -366,7 +414,6 @@ BARRENO_FUNCTION R error_of_grains(
     const R& per_matrix,
     const R& bulk
 ) {
-  if (!c.change()) return R{};
   constexpr double root_3 = 1.7320508075688772;
   const R mean = 0.5 * (c.grain_compliance(R(begin.pressure - x_begin * (1.0 / 3.0))) +
                         c.grain_compliance(R(end.pressure - x_end * (1.0 / 3.0))));

@@ -60,8 +60,10 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
     const FilledOf<R> f = fill_elastic_pores(c, n.pores, n.x, middle.per_matrix, bulk, n.dv, guess);
     p.pores = f.end;
     strain = n.dv + f.rise * middle.per_matrix;
-    const R x = n.x + 3.0 * bulk * strain;
-    p.error = error_of_grains(c, n.pores, n.x, p.pores, x, middle.per_matrix, bulk);
+    if (c.change) {
+      const R x = n.x + 3.0 * bulk * strain;
+      p.error = error_of_grains(c, n.pores, n.x, p.pores, x, middle.per_matrix, bulk);
+    }
   }
   p.x = n.x + 3.0 * p.used.bulk * strain;
   p.s = n.s + R(2.0 * p.used.shear) * n.de;
@@ -112,7 +114,7 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
   // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.
   R error = 2.0 * mismatch_of(n.elastic.moduli, p.used, end);
   if constexpr (has_poroplastic_fluid<Law>)
-    if (rock.constituents.change())
+    if (rock.constituents.change)
       error = error +
               p.error /
                   real::larger(size_of_stress(p.x, R(0.5 * contract(p.s, p.s))), rock.stress_floor);

@@ -123,12 +123,14 @@ BARRENO_FUNCTION void predict_pressure(
     const Constituents& c = rock.constituents;
     const PoresOf<R>& n = step.pores;
     const R biot = 1.0 - bulk * p.per_matrix;
-    const R guess = -biot * step.dv / storage_of(compliances_at(c, n, step.n.x), n, bulk);
+    const R guess = with_compliances(c, n, step.n.x, [&](const auto& k) {
+      return R(-biot * step.dv / storage_of(k, n, bulk));
+    });
     const FilledOf<R> f = fill_elastic_pores(c, n, step.n.x, p.per_matrix, bulk, step.dv, guess);
     p.rise = f.rise;
     p.elastic = f.end;
     const R x_end = step.n.x + 3.0 * bulk * (step.dv + f.rise * p.per_matrix);
-    p.fall = fall_of(compliances_at(c, f.end, x_end), f.end, bulk);
+    p.fall = fall_of(c, f.end, x_end, bulk);
   }
 }
 
@@ -156,7 +158,7 @@ BARRENO_FUNCTION R pressure_error(
   constexpr double per_root_3 = 0.57735026918962576;
   const R of_pressure = (3.0 * per_root_3) * p.per_matrix * p.used.bulk * real::abs(missed);
   const Constituents& c = rock.constituents;
-  if (!c.change()) return of_pressure;
+  if (!c.change) return of_pressure;
   return of_pressure +
          error_of_grains(c, step.pores, step.n.x, a.pores, a.end.x, p.per_matrix, p.used.bulk);
 }
@@ -172,7 +174,7 @@ BARRENO_FUNCTION void follow_pressure(
 ) {
   if constexpr (has_poroplastic_fluid<Law>) {
     const Constituents& c = rock.constituents;
-    p.fall = fall_of(compliances_at(c, a.pores, a.end.x), a.pores, bulk);
+    p.fall = fall_of(c, a.pores, a.end.x, bulk);
     const R pressures = step.pores.pressure + a.pores.pressure;
     p.per_matrix = per_matrix_between(c, pressures, R(step.n.x + a.end.x));
     p.rise = a.pores.pressure - step.pores.pressure + p.fall * (a.end.evp - step.n.evp);

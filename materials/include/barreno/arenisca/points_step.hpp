@@ -2,45 +2,12 @@
 #pragma once
 
 #include "barreno/arenisca/points_flow.hpp"
+#include "barreno/arenisca/points_middle.hpp"
 #include "barreno/arenisca/points_rate.hpp"
 
 namespace barreno::arenisca {
 
 // A whole step of one or several points, in substeps that each chooses by its own local error.
-
-/// Moduli at the middle of a substep, I1 kept within what the surface admits.
-template <class R>
-struct MiddleOf {
-  ModuliOf<R> moduli;
-  R per_matrix{};  ///< 1/Km there [1/stress]
-};
-/// @param holder  of the pores, and of the volume strain `dv`
-/// @param strain  that of the skeleton
-template <class R, class Law, class Holder>
-BARRENO_FUNCTION MiddleOf<R> used_moduli(
-    const Law& rock,
-    [[maybe_unused]] const Holder& holder,
-    const R& strain,
-    const CapOf<R>& cap,
-    const ElasticStateOf<R>& n
-) {
-  R x = smaller_of(R(n.x + n.moduli.bulk * R(3.0 * strain)), R(R{} + rock.surface.vertex));
-  x = real::select(cap.present & (x < cap.X), cap.X, x);
-  MiddleOf<R> middle{rock.elasticity.moduli_midway(n, R(x - n.x))};
-  if constexpr (has_poroplastic_fluid<Law>) {
-    const Constituents& c = rock.constituents;
-    middle.per_matrix = R{} + c.per_matrix;
-    if (!c.change()) return middle;
-    const R at_start = compliances_at(c, holder.pores, n.x).whole;
-    PoresOf<R> pores = holder.pores;
-    const R rise = (strain - holder.dv) / at_start;
-    pores.pressure = real::larger(R(pores.pressure + 0.5 * rise), 0.0);
-    const R x_middle = 0.5 * (n.x + x);
-    middle.moduli.bulk = bulk_under_pressure(c, pores, x_middle, middle.moduli.bulk);
-    middle.per_matrix = c.grain_compliance(R(pores.pressure - x_middle * (1.0 / 3.0)));
-  }
-  return middle;
-}
 
 /// Elastic prediction with the moduli of this plastic strain.
 template <class R, class Law>
@@ -92,9 +59,11 @@ BARRENO_FUNCTION void accept_elastic(
     assign_where(inside, p.elastic, a.pores);
     if constexpr (has_poroplastic_fluid<Law>) {
       const Constituents& c = rock.constituents;
-      const R of_grains =
-          error_of_grains(c, step.pores, n.x, p.elastic, p.x, p.per_matrix, p.used.bulk);
-      a.error = real::select(inside, a.error + of_grains, a.error);
+      if (c.change) {
+        const R of_grains =
+            error_of_grains(c, step.pores, n.x, p.elastic, p.x, p.per_matrix, p.used.bulk);
+        a.error = real::select(inside, a.error + of_grains, a.error);
+      }
     }
     work = work_of_stress(step, a);
   } else {

@@ -100,7 +100,9 @@ BARRENO_FUNCTION R press_pores(
   grains.slope = R{} - per_matrix;
   grains.begin = real::log(R(pores.solid / begin.solid)) + volume_strain - grains.slope * rise +
                  gained * R((1.0 / 3.0) * per_matrix) / begin.solid;
-  const FilledOf<R> f = fill_pores(c, begin, grains, volume_strain, rise);
+  const FilledOf<R> f =
+      c.change ? fill_changing_pores(c, begin, TangentGrainsOf<R>{grains}, volume_strain, rise)
+               : fill_pores(c, begin, grains, volume_strain, rise);
   assign_where(moves, f.end, pores);
   return real::select(moves, f.end.pressure - begin.pressure - rise, 0.0);
 }

@@ -72,14 +72,15 @@ struct WetAreniscaOf {
   /// bound where grains or fluid stiffen [stress].
   BARRENO_FUNCTION double longitudinal_modulus() const {
     const arenisca::Moduli m = rock_.elasticity.upper_bound();
-    if (rock_.constituents.change()) return HUGE_VAL;
+    if (rock_.constituents.change) return HUGE_VAL;
     return std::fmax(m.bulk, rock_.constituents.matrix) + 4.0 / 3.0 * m.shear;
   }
   /// K + 4G/3 of a point in this state, without a way out for the fluid [stress].
   BARRENO_FUNCTION double
   longitudinal_modulus(const Sym3& stress, const History& h, double /*volume_ratio*/) const {
     const arenisca::Moduli m = drained_moduli(stress, h);
-    return arenisca::undrained_bulk(compliances(stress, h), pores(h), m.bulk) + 4.0 / 3.0 * m.shear;
+    return arenisca::undrained_bulk(rock_.constituents, pores(h), effective_I1(stress, h), m.bulk) +
+           4.0 / 3.0 * m.shear;
   }
   /// Tangent moduli of the drained rock in this state.
   BARRENO_FUNCTION arenisca::Moduli drained_moduli(const Sym3& stress, const History& h) const {

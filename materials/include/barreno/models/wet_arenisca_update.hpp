@@ -19,7 +19,7 @@ BARRENO_FUNCTION double WetAreniscaOf<Parts>::mass_per_volume(const Sym3& stress
   const double pressure = h.pore_pressure, virgin = rock_.initial_pressure;
   const double total = -trace(stress) / 3.0;
   double denser = (pressure + (total - pressure) / solid - virgin) * c.per_matrix;
-  if (c.change()) {
+  if (c.change) {
     const double own = c.grain_strain(total) - h.porosity * c.grain_strain(pressure);
     denser = own / solid - c.grain_strain(virgin);
   }

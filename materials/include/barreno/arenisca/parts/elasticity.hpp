@@ -90,7 +90,7 @@ struct Elasticity {
              d::none,
              at_least(0.0),
              0.0,
-             "B': dK/dp of dry rock whose grains bear the pressure. 0: K tends to B0 + B1, as "
+             "B': dK/dp of rock whose grains bear the pressure. 0: K tends to B0 + B1, as "
              "published"
          ),
          optional(
