@@ -7,13 +7,12 @@ namespace barreno::arenisca {
 
 // Moduli at the middle of an elastic step of one or several points.
 
-/// Moduli at the middle of a substep, I1 kept within what the surface admits.
 template <class R>
 struct MiddleOf {
   ModuliOf<R> moduli;
   R per_matrix{};  ///< 1/Km there [1/stress]
 };
-/// Of rock whose moduli change.
+/// The middle of dry rock into that under the pressure of a fluid, where moduli change.
 /// @param dv      volume strain
 /// @param strain  that of the skeleton
 template <class R>
@@ -32,6 +31,7 @@ BARRENO_ALIKE void press_middle(
   middle.moduli.bulk = bulk_of_pressed_grains(c, pores, x_middle, middle.moduli.bulk);
   middle.per_matrix = c.grain_compliance(R(pores.pressure - x_middle * (1.0 / 3.0)));
 }
+/// Moduli at the middle of a step, I1 kept within what the surface admits.
 /// @param holder  of the pores, and of the volume strain `dv`
 /// @param strain  that of the skeleton
 template <class R, class Law, class Holder>

@@ -28,7 +28,6 @@ struct WholeStepOf : WithPores<R, Law::wet> {
   R x;
   Sym3Of<R> s;
   ModuliOf<R> used;
-  R error{};  ///< of what the grains did on the way [stress]
 };
 /// Start of a step in invariants.
 template <class R, class Law>
@@ -60,10 +59,6 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
     const FilledOf<R> f = fill_elastic_pores(c, n.pores, n.x, middle.per_matrix, bulk, n.dv, guess);
     p.pores = f.end;
     strain = n.dv + f.rise * middle.per_matrix;
-    if (c.change) {
-      const R x = n.x + 3.0 * bulk * strain;
-      p.error = error_of_grains(c, n.pores, n.x, p.pores, x, middle.per_matrix, bulk);
-    }
   }
   p.x = n.x + 3.0 * p.used.bulk * strain;
   p.s = n.s + R(2.0 * p.used.shear) * n.de;
@@ -72,6 +67,19 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
   if constexpr (Law::angled) J2 = J2 * (1.0 / (rock.weakest * rock.weakest));
   p.inside = contains(rock.surface, asked, p.x, J2, cap);
   return p;
+}
+
+/// Error of the effective stress of whole steps from grains that change on the way, relative to it.
+template <class R, class Law>
+BARRENO_ALIKE R relative_error_of_grains(
+    const RockOf<R, Law>& rock, const StartOf<R, Law>& n, const WholeStepOf<R, Law>& p
+) {
+  const Constituents& c = rock.constituents;
+  const R pressures = n.pores.pressure + p.pores.pressure;
+  const R per_matrix = per_matrix_between(c, pressures, R(n.x + p.x));
+  const R error = error_of_grains(c, n.pores, n.x, p.pores, p.x, per_matrix, p.used.bulk);
+  const R size = size_of_stress(p.x, R(0.5 * contract(p.s, p.s)));
+  return error / real::larger(size, rock.stress_floor);
 }
 
 /// Whole steps that are elastic with moduli that hardly change.
@@ -97,7 +105,6 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
     assign_where(open, own.used, p.used);
     p.inside = p.inside | own.inside;
     assign_pores<Law>(open, own, p);
-    p.error = real::select(open, own.error, p.error);
   }
   ModuliOf<R> end = rock.elasticity.moduli_after(p.inside, n.elastic, p.x);
   press_moduli(rock, p, p.x, end);
@@ -114,10 +121,7 @@ BARRENO_FUNCTION MaskOf<R> step_elastically(
   // |d sigma| <= 2 max(|sigma_n|, |sigma_n1|): no need to measure the stresses.
   R error = 2.0 * mismatch_of(n.elastic.moduli, p.used, end);
   if constexpr (has_poroplastic_fluid<Law>)
-    if (rock.constituents.change)
-      error = error +
-              p.error /
-                  real::larger(size_of_stress(p.x, R(0.5 * contract(p.s, p.s))), rock.stress_floor);
+    if (rock.constituents.change) error = error + relative_error_of_grains(rock, n, p);
   return p.inside & (still | (error <= rock.tolerance));
 }
 
