@@ -394,6 +394,7 @@ TEST(WetGrains, AreRefusedWhereTheyContradict) {
     return text.find(words) != std::string::npos;
   };
   EXPECT_EQ(fault([](Parameters&) {}), "");
+  EXPECT_EQ(fault([](Parameters& p) { p.transition_strain = 0.4; }), "");
   EXPECT_TRUE(
       names(fault([](Parameters& p) { p.fluid_B0 = 0.0; }), "Fluid stiffening = 8 needs a fluid")
   );

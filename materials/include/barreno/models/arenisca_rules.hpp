@@ -34,7 +34,9 @@ inline std::string check_stiffening(const AreniscaParameters& p) {
            "p3_crush_curve, or leave it out.";
   }
   constexpr double jet = 40e9;  // Pa: what a fast jet brings to bear
-  const Constituents c = Constituents::make(p);
+  // Grains that turn into a denser phase may well give way more than the fluid.
+  Constituents c = Constituents::make(p);
+  c.transition_strain = 0.0;
   if (p.fluid_stiffening == 0.0 || c.fluid_strain(jet) > c.grain_strain(jet)) return {};
   return stiffening + " makes the fluid less compressible than the grains on the way to 40 GPa " +
          "(volumes fall to " + shown(std::exp(-c.fluid_strain(jet))) + " and " +
