@@ -287,7 +287,7 @@ def run(barreno, full):
         add_softening(result, name, rock)
         add_most(result, name, rock)
         if "Grain stiffening" in rock.card:
-            continue  # which no card with fluid may have
+            continue  # wet rock: the closed form is that of grains and fluid of constant moduli
         with tempfile.TemporaryDirectory() as folder:
             if name == WITH_CONSTANT:
                 file = changed_card(folder, CARDS_FOLDER / f"{name}.xml", {"G1": 0.0, "G2": 0.0})
