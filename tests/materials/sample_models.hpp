@@ -292,7 +292,7 @@ struct Sample<DamagedArenisca> : Sample<Arenisca> {
   }
   static std::vector<std::pair<Arenisca::Parameters, std::string>> contradictions() {
     using P = Arenisca::Parameters;
-    std::vector<std::pair<P, std::string>> list(12, {parameters(), "Fracture strain"});
+    std::vector<std::pair<P, std::string>> list(13, {parameters(), "Fracture strain"});
     list[0].first.fracture_strain = 0.0;
     list[0].second = "Fracture energy";
     list[1].first = Sample<Arenisca>::parameters();
@@ -320,6 +320,9 @@ struct Sample<DamagedArenisca> : Sample<Arenisca> {
     list[10].second = "Residual slope";
     list[11].first.fracture_energy = -1.0;
     list[11].second = "Fracture energy";
+    list[12].first = Sample<Arenisca>::parameters();
+    list[12].first.tension_cutoff = 3e6;
+    list[12].second = "Tension cutoff";
     return list;
   }
 };
@@ -330,10 +333,16 @@ struct Sample<DamagedWetArenisca> : Sample<Arenisca> {
   }
 };
 
-/// Rock with damage that heats.
+/// Rock with damage that heats, with a bound on its tension.
 template <>
 struct Sample<HeatedArenisca> : Sample<Arenisca> {
-  static Arenisca::Parameters parameters() { return heated(Sample<DamagedArenisca>::parameters()); }
+  static Arenisca::Parameters parameters() {
+    return bounded(heated(Sample<DamagedArenisca>::parameters()));
+  }
+  static Arenisca::Parameters bounded(Arenisca::Parameters p) {
+    p.tension_cutoff = 3e6;
+    return p;
+  }
   static Arenisca::Parameters heated(Arenisca::Parameters p) {
     p.specific_heat = 1000.0;
     p.grueneisen = 0.7;
@@ -375,8 +384,8 @@ template <>
 struct Sample<HeatedWetArenisca> : Sample<Arenisca> {
   /// Grains and fluid stiffen, and grains turn into a denser phase.
   static Arenisca::Parameters parameters() {
-    Arenisca::Parameters p =
-        Sample<HeatedArenisca>::heated(Sample<DamagedWetArenisca>::parameters());
+    using S = Sample<HeatedArenisca>;
+    Arenisca::Parameters p = S::bounded(S::heated(Sample<DamagedWetArenisca>::parameters()));
     p.grain_stiffening = 5.0;
     p.fluid_stiffening = 8.0;
     p.transition_strain = 0.2;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/arenisca/parts/damage.hpp"
+#include "barreno/arenisca/parts/tension.hpp"
 #include "barreno/arenisca/points_pieces.hpp"
 
 namespace barreno::arenisca {
@@ -15,6 +16,7 @@ struct DamagedRock : ScatteredRock<Whole> {
   static constexpr bool damaged = true;
 
   Damage damage;
+  Tension tension;
 };
 
 /// The surface of its pieces, the same to the last bit for every caller.

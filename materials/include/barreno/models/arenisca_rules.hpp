@@ -135,6 +135,15 @@ inline std::string check_damage(const AreniscaParameters& p) {
   return {};
 }
 
+/// The bound on tension falls with damage.
+inline std::string check_tension(const AreniscaParameters& p) {
+  if (p.tension_cutoff == 0.0 || p.fracture_strain > 0.0) return {};
+  return named("Tension cutoff", p.tension_cutoff) +
+         " needs a Fracture strain, but that is 0 (rock without damage, whose cracks would keep "
+         "their strength); set the plastic strain at which rock under tension is broken, 0.01 for "
+         "example, or leave Tension cutoff out.";
+}
+
 /// Heat goes with what damage goes with.
 inline std::string check_heat(const AreniscaParameters& p) {
   if (p.specific_heat == 0.0) return {};
@@ -181,6 +190,7 @@ inline std::string check_arenisca(const AreniscaParameters& p) {
         arenisca::check_scattered_vertex,
         arenisca::check_crushed_bulk_modulus,
         arenisca::check_damage,
+        arenisca::check_tension,
         arenisca::check_heat,
         arenisca::check_other_parts})
     if (problem.empty()) problem = rule(p);

@@ -12,6 +12,7 @@
 #include "barreno/arenisca/points_queue.hpp"
 #include "barreno/arenisca/points_rate.hpp"
 #include "barreno/arenisca/points_start.hpp"
+#include "barreno/arenisca/points_tension.hpp"
 
 namespace barreno {
 
@@ -214,10 +215,11 @@ BARRENO_FUNCTION decltype(auto) rock_of_pores(const Law& law, const Holder& hold
 }
 
 /// End of steps that flow, from the stress and strain increment that they began with.
+/// @param[in,out] step  at its end; the bound on tension may change that
 /// @return where the step is left to update()
 template <class R, class Law, class Points>
 BARRENO_ALIKE MaskOf<R> end_step(
-    const Law& rock, const MaskOf<R>& flows, const StepOf<R, Law>& step, Points& p
+    const Law& rock, const MaskOf<R>& flows, StepOf<R, Law>& step, Points& p
 ) {
   const MaskOf<R> good = flows & !step.refused;
   auto& h = p.history;
@@ -229,10 +231,16 @@ BARRENO_ALIKE MaskOf<R> end_step(
       step.elastic_work,
       step.plastic_work};
   if constexpr (Law::wet) end.pores = step.pores;
+  Sym3Of<R> cut{};
+  if constexpr (Law::damaged)
+    if (rock.tension.cutoff > 0.0)
+      cut = cut_step(rock, good, p, tensor_of<R, Law>(step.state.s, p), step, end);
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
   if constexpr (Law::rated) {
-    const Sym3Of<R> missed =
+    Sym3Of<R> missed =
         tensor_of<R, Law>(step.missed_s, p) + isotropic(R(step.missed_x * (1.0 / 3.0)));
+    if constexpr (Law::damaged)
+      if (rock.tension.cutoff > 0.0) missed = missed + cut;
     const PoresOf<R> begin = pores_before<R>(rock_of_pores<R>(rock, step), h);
     add_overstress<R>(rock, good, missed, step.mean_moduli, begin, p, end);
   }
@@ -345,10 +353,16 @@ BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Po
   PointsOutcome<R>& out = p.outcome;
   StepEnd<R> end{whole.s + isotropic(mean_stress), {}, out.elastic_work, out.plastic_work};
   if constexpr (Law::wet) end.pores = whole.pores;
+  if constexpr (Law::rated && Law::damaged)
+    damage_elastic_points(law, elastic, n, R(0.5 * (n.x + whole.x)), p);
+  Sym3Of<R> cut{};
+  if constexpr (Law::damaged)
+    if (law.tension.cutoff > 0.0) cut = cut_whole_step(law, elastic, n, whole, p, end);
   if constexpr (Law::rated) {
-    if constexpr (Law::damaged) damage_elastic_points(law, elastic, n, R(0.5 * (n.x + whole.x)), p);
     const PoresOf<R> begin = pores_before<R>(rock_of_pores<R>(law, p.history), p.history);
-    add_overstress<R>(law, elastic, Sym3Of<R>{}, whole.used, begin, p, end);
+    add_overstress<R>(law, elastic, cut, whole.used, begin, p, end);
+  }
+  if constexpr (Law::rated || Law::damaged) {
     out.elastic_work = end.elastic_work;
     out.plastic_work = mean_ratio * end.plastic_work;
   }

@@ -158,6 +158,7 @@ protected:
     if constexpr (Law::damaged) {
       rock.damage = arenisca::Damage::make(p);
       arenisca::set_damage(rock);
+      rock.tension = arenisca::Tension::make(p);
     }
     if constexpr (Law::heated) rock.heat = arenisca::Heat::make(p, density);
     if constexpr (Law::rated) {

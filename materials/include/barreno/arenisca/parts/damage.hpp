@@ -28,6 +28,7 @@ namespace barreno::arenisca {
 ///
 ///   L e_f (mean of the uniaxial tensile strength over D from 0 to 1) = G
 ///
+/// The strength is that of the surface or, where it is lower, the bound of parts/tension.hpp.
 /// This is the crack band of Z. P. Bazant and B. H. Oh (Materiaux et Constructions 16 (1983) 155).
 struct Damage {
   struct Parameters {
@@ -96,7 +97,7 @@ struct Damage {
   /// has.
   double cohesion = 0.0, peak = 0.0, loss = 0.0, longest = HUGE_VAL;
 
-  /// @param p  of damage and of the shear limit
+  /// @param p  of damage, of the shear limit and of the bound on tension
   template <class All>
   static Damage make(const All& p) {
     Damage d;
@@ -114,7 +115,9 @@ struct Damage {
     double sum = 0.0;
     for (int i = 0; i <= intervals; ++i) {
       const double weight = i == 0 || i == intervals ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
-      sum += weight * d.tension(p, static_cast<double>(i) / intervals);
+      const double damage = static_cast<double>(i) / intervals;
+      const double surface = d.tension(p, damage), bound = (1.0 - damage) * p.tension_cutoff;
+      sum += weight * (p.tension_cutoff > 0.0 && bound < surface ? bound : surface);
     }
     d.mean_tension = sum / (3.0 * intervals);
     return d;

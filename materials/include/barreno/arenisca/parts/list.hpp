@@ -13,6 +13,7 @@
 #include "barreno/arenisca/parts/rate.hpp"
 #include "barreno/arenisca/parts/scatter.hpp"
 #include "barreno/arenisca/parts/shear_limit.hpp"
+#include "barreno/arenisca/parts/tension.hpp"
 
 #ifdef BARRENO_OUTSIDE_PARTS
 // Parts of a program that builds the library with parts of its own (docs/extending.md).
@@ -50,6 +51,7 @@ using AllParts = JoinedLists<
         Lode,
         Weibull,
         Damage,
+        Tension,
         Heat>,
     OtherParts>::type;
 
