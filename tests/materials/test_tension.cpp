@@ -237,9 +237,7 @@ void expect_bounded(Parameters p) {
       const Sym3 own = effective<Model>(point.stress, point.history);
       const double most = static_cast<double>(principal_values(own)[0]);
       const double bound = (1.0 - point.history.damage) * cutoff * point.history.coherence;
-      ASSERT_LE(
-          most, bound * (1.0 + 1e-9) + 1e-14 * norm(own) + 1e-9 * point.model.rock().tolerance
-      );
+      ASSERT_LE(most, bound * (1.0 + 1e-9) + 1e-14 * norm(own));
       if (most > 0.999 * bound && bound > 0.0) ++at_bound;
       if constexpr (!Model::Law::rated) {
         ASSERT_GE(point.last.plastic_work, -1e-12 * norm(point.stress) * norm(by));
