@@ -53,8 +53,6 @@ void expect_the_same(const std::vector<Sym3>& strains, const char* name, double 
   History h = model.initial_history();
   double work = 0.0, stress_work = 0.0, peak = p.tension_cutoff;
   for (const Sym3& by : strains) {
-    // The surface of rock that is nearly broken is no longer far away.
-    if (anew.damage > 0.9L) break;
     Increment increment{};
     increment.strain = by;
     increment.dt = 1e-6;
@@ -62,6 +60,8 @@ void expect_the_same(const std::vector<Sym3>& strains, const char* name, double 
     const Outcome outcome = model.update(increment, stress, h);
     ASSERT_FALSE(outcome.failed()) << name;
     anew.strain(by);
+    // The surface of rock that is nearly broken is no longer far away.
+    if (anew.damage > 0.9L) break;
     work += outcome.plastic_work + outcome.elastic_work;
     stress_work += 0.5 * contract(before + stress, by);
     peak = std::max(peak, norm(stress));
@@ -131,15 +131,15 @@ TEST(Tension, EqualPrincipalStresses) {
     Sym3 stress{};
     History h = model.initial_history();
     ASSERT_FALSE(model.update(increment, stress, h).failed());
-    const auto t = principal_values(stress);
     const double bound = (1.0 - h.damage) * cutoff;
-    EXPECT_NEAR(static_cast<double>(t[0]), bound, 1e-9 * cutoff);
+    EXPECT_FALSE(exceeds(stress, bound + 1e-9 * cutoff));
+    EXPECT_TRUE(exceeds(stress, bound - 1e-9 * cutoff));
     // Opening is the rest of the strain.
     const double x = 3.0 * p.B0 * trace(by) - trace(stress);
     EXPECT_NEAR(h.plastic_volume_strain, x / (3.0 * p.B0), 1e-15);
     EXPECT_GT(h.plastic_volume_strain, 0.0);
     const auto trial = principal_values((2.0 * p.G0) * by + isotropic(lambda * trace(by)));
-    EXPECT_LT(t[2], trial[2] + 1.0);
+    EXPECT_LT(principal_values(stress)[2], trial[2] + 1.0);
   }
 }
 
@@ -236,8 +236,10 @@ void expect_bounded(Parameters p) {
       ASSERT_FALSE(point.apply(by, 1e-6).failed());
       const Sym3 own = effective<Model>(point.stress, point.history);
       const double most = static_cast<double>(principal_values(own)[0]);
+      // Round-off of the difference that is the quasi-static stress, and of stresses before.
+      const double parts = norm(own) + norm(point.stress) + norm(point.stress - own);
       const double bound = (1.0 - point.history.damage) * cutoff * point.history.coherence;
-      ASSERT_LE(most, bound * (1.0 + 1e-9) + 1e-14 * norm(own));
+      ASSERT_FALSE(exceeds(own, bound * (1.0 + 1e-9) + 1e-14 * parts + 1e-6));
       if (most > 0.999 * bound && bound > 0.0) ++at_bound;
       if constexpr (!Model::Law::rated) {
         ASSERT_GE(point.last.plastic_work, -1e-12 * norm(point.stress) * norm(by));
@@ -287,7 +289,7 @@ TEST(Tension, ClosedCyclesCreateNoEnergy) {
 }
 
 /// One strain in several numbers of steps against 20000. Where surface and bound hold together the
-/// split of a step between them is of first order: it errs by some elastic stresses of one step.
+/// split of a step between them is of first order: it errs by a part of the elastic stress of one.
 TEST(Tension, ConvergesWithTheStep) {
   const Sym3 ways[] = {
       {0.004, 0.0, 0.0, 0.0, 0.0, 0.0},
@@ -306,7 +308,7 @@ TEST(Tension, ConvergesWithTheStep) {
     EXPECT_GT(fine.history.damage, 0.04);
     for (const int steps : {40, 160, 640, 2560}) {
       const auto rough = walk(way, steps);
-      EXPECT_LE(norm(rough.stress - fine.stress), 4.0 * elastic / steps) << steps;
+      EXPECT_LE(norm(rough.stress - fine.stress), 0.4 * elastic / steps) << steps;
       EXPECT_NEAR(rough.history.damage / fine.history.damage, 1.0, 1.0 / steps) << steps;
     }
   }

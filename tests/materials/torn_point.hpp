@@ -31,6 +31,21 @@ inline std::array<long double, 3> principal_values(const Sym3& stress) {
   return t;
 }
 
+/// Whether a principal stress exceeds a limit, by the pivots of (limit I - stress): roots of the
+/// polynomial lose half of the digits where two are equal.
+inline bool exceeds(const Sym3& stress, double limit) {
+  using Real = long double;
+  const Real a = limit - Real(stress.xx);
+  if (a < 0) return true;
+  if (a == 0) return stress.xy != 0.0 || stress.zx != 0.0;
+  const Real xy = -Real(stress.xy) / a, zx = -Real(stress.zx) / a;
+  const Real b = limit - Real(stress.yy) - a * xy * xy;
+  const Real yz = -Real(stress.yz) - a * xy * zx;
+  if (b < 0) return true;
+  const Real c = limit - Real(stress.zz) - a * zx * zx;
+  return b == 0 ? yz != 0 || c < 0 : c - yz * yz / b < 0;
+}
+
 /// The law of the bound written anew for elastic rock of constant moduli: principal values from the
 /// characteristic polynomial, axes from Sylvester's formula, cracks by trying all sets of them,
 /// damage by halving.

@@ -15,7 +15,8 @@ template <class R, class Law>
 struct Missed<R, Law, true> {
   R missed_x{};
   ShearIn<R, Law> missed_s{};
-  ModuliOf<R> mean_moduli;  ///< of the skeleton over the step so far, times its fraction
+  Sym3Of<R> missed_before{};  ///< by cracks that open before it flows
+  ModuliOf<R> mean_moduli;    ///< of the skeleton over the step so far, times its fraction
 };
 
 template <class R, class History>

@@ -238,38 +238,47 @@ BARRENO_ALIKE MaskOf<R> open_cracks(const Law& law, const MaskOf<R>& asked, CutO
   return torn;
 }
 
-/// Bounds the principal tension of points at the end of a step.
-/// @return where cracks open
+/// Bound on the principal effective stresses [stress].
 template <class R, class Law>
-BARRENO_FUNCTION MaskOf<R> cut_tension(const Law& law, const MaskOf<R>& asked, CutOf<R>& c) {
+BARRENO_FUNCTION R tension_bound(const Law& law, const R& damage, const R& coherence) {
+  return (1.0 - damage) * (law.tension.cutoff * coherence);
+}
+/// Where a principal effective stress may exceed its bound: at few points, which need more.
+template <class R, class Law>
+BARRENO_FUNCTION MaskOf<R> near_bound(
+    const Law& law, const MaskOf<R>& asked, const R& bound, const R& x, const Sym3Of<R>& s
+) {
   constexpr double negligible = 1e-30;
-  const R room = (1.0 - c.damage) * (law.tension.cutoff * c.coherence) - c.x * (1.0 / 3.0);
-  const R J2 = 0.5 * contract(c.s, c.s);
+  const R room = bound - x * (1.0 / 3.0);
+  const R J2 = 0.5 * contract(s, s);
   const double nothing = negligible * law.stress_floor;
   const MaskOf<R> some = asked & (room * room + J2 > nothing * nothing);
   const auto J3 = [&] {
-    const Sym3Of<R>& s = c.s;
     return R(
         s.xx * (s.yy * s.zz - s.yz * s.yz) - s.xy * (s.xy * s.zz - s.yz * s.zx) +
         s.zx * (s.xy * s.yz - s.yy * s.zx)
     );
   };
-  const MaskOf<R> near = Tension::may_exceed(some, room, J2, J3);
-  return real::any(near) ? open_cracks(law, near, c) : near;
+  return Tension::may_exceed(some, room, J2, J3);
 }
 
 /// What the bound on tension reads of steps, and the end of torn ones.
 /// @param holder of the points' coherence and damage: a history or a step
+template <class R, class Holder>
+BARRENO_FUNCTION CutOf<R> cut_of(const Holder& holder) {
+  CutOf<R> c{};
+  c.coherence = holder.coherence;
+  c.fracture_strain = holder.fracture_strain;
+  c.damage = holder.damage;
+  return c;
+}
 template <class R, class Holder, class End>
 BARRENO_FUNCTION CutOf<R> begin_cut(
     const Holder& holder, const R& dv, const Sym3Of<R>& de, const End& end
 ) {
-  CutOf<R> c;
+  CutOf<R> c = cut_of<R>(holder);
   c.dv = dv;
   c.de = de;
-  c.coherence = holder.coherence;
-  c.fracture_strain = holder.fracture_strain;
-  c.damage = holder.damage;
   c.elastic_work = end.elastic_work;
   c.plastic_work = end.plastic_work;
   c.pores = end.pores;
@@ -283,7 +292,44 @@ BARRENO_FUNCTION void end_cut(const MaskOf<R>& torn, const CutOf<R>& c, End& end
   end.plastic_work = c.plastic_work;
 }
 
-/// The bound on principal tension at the end of steps that flow.
+/// Opening of steps as if they were elastic, taken off the states that they begin with. Where bound
+/// and surface hold together most of the strain opens cracks. A surface that is asked first would
+/// take that strain for flow that dilates, and press the sides.
+/// @param[in,out] n  start
+/// @param[in,out] c  what histories tell; damage, shear strain, works and what elastic steps miss
+/// @return where cracks open
+template <class R, class Law>
+BARRENO_FUNCTION MaskOf<R> open_before(
+    const RockOf<R, Law>& rock,
+    const Law& law,
+    const MaskOf<R>& flows,
+    StartOf<R, Law>& n,
+    CutOf<R>& c
+) {
+  const ModuliOf<R>& m = n.elastic.moduli;
+  const R rise = 3.0 * m.bulk * skeleton_guess<R>(rock, n, m.bulk);
+  const Sym3Of<R> change = R(2.0 * m.shear) * n.de;
+  const Sym3Of<R> s = n.s + change;
+  const R bound = tension_bound(law, c.damage, c.coherence);
+  const MaskOf<R> near = near_bound(law, flows, bound, R(n.x + rise), s);
+  if (!real::any(near)) return near;
+  // The work of a step is that of the mean of its ends, and here it is the first that is lower.
+  c.dv = -n.dv;
+  c.de = -1.0 * n.de;
+  c.x = n.x + rise;
+  c.s = s;
+  c.evp = n.evp;
+  if constexpr (Law::wet) c.pores = n.pores;
+  const MaskOf<R> torn = open_cracks(law, near, c);
+  n.x = real::select(torn, c.x - rise, n.x);
+  assign_where(torn, c.s - change, n.s);
+  n.evp = c.evp;
+  if constexpr (Law::wet) n.pores = c.pores;
+  if (real::any(torn)) assign_where(torn, rock.elasticity.state_at(n.x, n.evp), n.elastic);
+  return torn;
+}
+
+/// The bound on principal tension at the end of steps.
 /// @param s  shear stress, which the bound turns out of the plane of the step
 /// @param[in,out] step  all but that
 /// @param[in,out] end   stress, pores and works
@@ -297,13 +343,16 @@ BARRENO_FUNCTION Sym3Of<R> cut_step(
     StepOf<R, Law>& step,
     End& end
 ) {
+  const R bound = tension_bound(law, step.damage, step.coherence);
+  const MaskOf<R> near = near_bound(law, good, bound, step.state.x, s);
+  if (!real::any(near)) return {};
   CutOf<R> c = begin_cut<R>(step, R(step.dv), deviator(p.increment.strain), end);
   if constexpr (Law::rated) c.taken = step.taken;
   c.x = step.state.x;
   c.s = s;
   c.evp = step.state.evp;
   c.shear_strain = step.state.shear_strain;
-  const MaskOf<R> torn = cut_tension(law, good, c);
+  const MaskOf<R> torn = open_cracks(law, near, c);
   if (!real::any(torn)) return {};
   step.damage = c.damage;
   step.state.x = c.x;
@@ -312,35 +361,6 @@ BARRENO_FUNCTION Sym3Of<R> cut_step(
   step.elastic_work = c.elastic_work;
   step.plastic_work = c.plastic_work;
   if constexpr (Law::wet) step.pores = c.pores;
-  end_cut(torn, c, end);
-  return c.missed;
-}
-
-/// The bound on principal tension at the end of steps that are elastic on the limit surface.
-/// @param[in,out] p    histories
-/// @param[in,out] end  stress, pores and works
-/// @return what a step misses of an elastic one by the bound [stress]
-template <class R, class Law, class Points, class End>
-BARRENO_FUNCTION Sym3Of<R> cut_whole_step(
-    const Law& law,
-    const MaskOf<R>& elastic,
-    const StartOf<R, Law>& n,
-    const WholeStepOf<R, Law>& whole,
-    Points& p,
-    End& end
-) {
-  auto& h = p.history;
-  CutOf<R> c = begin_cut<R>(h, n.dv, n.de, end);
-  if constexpr (Law::rated) c.taken = share_taken(relaxation_in(law.T1, law.T2, p.increment));
-  c.x = whole.x;
-  c.s = whole.s;
-  c.evp = h.plastic_volume_strain;
-  c.shear_strain = h.equivalent_plastic_strain;
-  const MaskOf<R> torn = cut_tension(law, elastic, c);
-  if (!real::any(torn)) return {};
-  h.damage = c.damage;
-  h.plastic_volume_strain = c.evp;
-  h.equivalent_plastic_strain = c.shear_strain;
   end_cut(torn, c, end);
   return c.missed;
 }

@@ -64,13 +64,19 @@ BARRENO_FUNCTION StartOf<R, Law> start_of(const RockOf<R, Law>& rock, const Poin
 }
 
 /// A shear stress of a step as a tensor.
+/// @param step  whose plane is that of the stress that it began with
 template <class R, class Law, class Points>
-BARRENO_FUNCTION Sym3Of<R> tensor_of(const ShearIn<R, Law>& s, const Points& p) {
+BARRENO_FUNCTION Sym3Of<R> tensor_of(
+    const ShearIn<R, Law>& s, const StepOf<R, Law>& step, const Points& p
+) {
   if constexpr (Law::angled) {
     return s.tensor;
   } else {
-    const Sym3Of<R> begin = quasi_static<R, Law>(p);
-    return plane_of(deviator(begin), deviator(p.increment.strain)).tensor(s);
+    const Sym3Of<R> de = deviator(p.increment.strain);
+    if constexpr (Law::damaged)
+      return plane_of(step.begin, de).tensor(s);
+    else
+      return plane_of(deviator(quasi_static<R, Law>(p)), de).tensor(s);
   }
 }
 
@@ -226,7 +232,7 @@ BARRENO_ALIKE MaskOf<R> end_step(
   R mean_stress = step.state.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - step.pores.pressure;
   StepEnd<R> end{
-      tensor_of<R, Law>(step.state.s, p) + isotropic(mean_stress),
+      tensor_of<R, Law>(step.state.s, step, p) + isotropic(mean_stress),
       {},
       step.elastic_work,
       step.plastic_work};
@@ -234,13 +240,13 @@ BARRENO_ALIKE MaskOf<R> end_step(
   Sym3Of<R> cut{};
   if constexpr (Law::damaged)
     if (rock.tension.cutoff > 0.0)
-      cut = cut_step(rock, good, p, tensor_of<R, Law>(step.state.s, p), step, end);
+      cut = cut_step(rock, good, p, tensor_of<R, Law>(step.state.s, step, p), step, end);
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
   if constexpr (Law::rated) {
     Sym3Of<R> missed =
-        tensor_of<R, Law>(step.missed_s, p) + isotropic(R(step.missed_x * (1.0 / 3.0)));
+        tensor_of<R, Law>(step.missed_s, step, p) + isotropic(R(step.missed_x * (1.0 / 3.0)));
     if constexpr (Law::damaged)
-      if (rock.tension.cutoff > 0.0) missed = missed + cut;
+      if (rock.tension.cutoff > 0.0) missed = missed + (step.missed_before + cut);
     const PoresOf<R> begin = pores_before<R>(rock_of_pores<R>(rock, step), h);
     add_overstress<R>(rock, good, missed, step.mean_moduli, begin, p, end);
   }
@@ -282,34 +288,45 @@ BARRENO_FUNCTION void begin_release(
 /// Damage of rated points in steps whose quasi-static answer is elastic: overstress flows on.
 /// @param x  mean I1 of the quasi-static stress
 template <class R, class Law, class Points>
-BARRENO_FUNCTION void damage_elastic_points(
-    const Law& law, const MaskOf<R>& elastic, const StartOf<R, Law>& n, const R& x, Points& p
+BARRENO_FUNCTION R damage_of_elastic(
+    const Law& law, const MaskOf<R>& elastic, const StartOf<R, Law>& n, const R& x, const Points& p
 ) {
-  auto& h = p.history;
+  const auto& h = p.history;
   const RelaxationOf<R> relaxation = relaxation_in(law.T1, law.T2, p.increment);
   const Sym3Of<R> over = overstress_of<R>(h);
   const Sym3Of<R> released = released_strain(relaxation, over, n.elastic.moduli);
   const Sym3Of<R> shear = deviator(released);
   const R strain = damaging_strain(R(0.5 * contract(shear, shear)), trace(released));
   const MaskOf<R> grows = elastic & (strain > 0.0);
-  if (!real::any(grows)) return;
+  if (!real::any(grows)) return h.damage;
   const R share = law.damage.share(x, cap_of(rock_of<R>(law, h), n.evp));
   const R damage = real::smaller(R(h.damage + share * strain / h.fracture_strain), 1.0);
-  h.damage = real::select(grows, damage, h.damage);
+  return real::select(grows, damage, h.damage);
 }
 
 /// A step that flows, from the point as it is before it.
 template <class R, class Law, class Points>
 BARRENO_ALIKE StepOf<R, Law> begin_rock(const Law& law, const MaskOf<R>& flows, const Points& p) {
-  const auto& rock = rock_of<R>(law, p.history);
-  const StartOf<R, Law> n = start_of<R, Law>(rock, p);
-  const R& flowed = p.history.equivalent_plastic_strain;
-  StepOf<R, Law> step = begin_step(rock, n, flowed, flows);
-  if constexpr (Law::scattered) step.coherence = p.history.coherence;
+  auto&& rock = rock_of<R>(law, p.history);
+  StartOf<R, Law> n = start_of<R, Law>(rock, p);
+  StepOf<R, Law> step;
   if constexpr (Law::damaged) {
-    step.damage = p.history.damage;
-    step.fracture_strain = p.history.fracture_strain;
+    CutOf<R> c = cut_of<R>(p.history);
+    c.shear_strain = p.history.equivalent_plastic_strain;
+    if constexpr (Law::rated) c.taken = share_taken(relaxation_in(law.T1, law.T2, p.increment));
+    if (law.tension.cutoff > 0.0 && real::any(open_before<R>(rock, law, flows, n, c)))
+      rock = rock_with_damage<R>(law, p.history, c.damage);
+    step = begin_step(rock, n, c.shear_strain, flows);
+    step.begin = n.s;
+    step.damage = c.damage;
+    step.fracture_strain = c.fracture_strain;
+    step.elastic_work = c.elastic_work;
+    step.plastic_work = c.plastic_work;
+    if constexpr (Law::rated) step.missed_before = c.missed;
+  } else {
+    step = begin_step(rock, n, R(p.history.equivalent_plastic_strain), flows);
   }
+  if constexpr (Law::scattered) step.coherence = p.history.coherence;
   if constexpr (Law::heated) step.temperature = p.history.temperature;
   if constexpr (Law::rated && Law::damaged) begin_release(law, n, p, step);
   if constexpr (Law::about_centre) step.fluid_mass_ratio = p.history.fluid_mass_ratio;
@@ -346,23 +363,26 @@ BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Po
   const StartOf<R, Law> n = start_of<R, Law>(rock, p);
   p.outcome.sound = sound;
   WholeStepOf<R, Law> whole;
-  const MaskOf<R> elastic = step_elastically(rock, n, sound, whole, p.outcome);
+  MaskOf<R> elastic = step_elastically(rock, n, sound, whole, p.outcome);
+  if constexpr (Law::damaged) {
+    R damage = p.history.damage;
+    if constexpr (Law::rated)
+      damage = damage_of_elastic(law, elastic, n, R(0.5 * (n.x + whole.x)), p);
+    if (law.tension.cutoff > 0.0) {
+      const R bound = tension_bound(law, damage, p.history.coherence);
+      elastic = elastic & !near_bound(law, elastic, bound, whole.x, whole.s);
+    }
+    if constexpr (Law::rated) p.history.damage = real::select(elastic, damage, p.history.damage);
+  }
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
   R mean_stress = whole.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - whole.pores.pressure;
   PointsOutcome<R>& out = p.outcome;
   StepEnd<R> end{whole.s + isotropic(mean_stress), {}, out.elastic_work, out.plastic_work};
   if constexpr (Law::wet) end.pores = whole.pores;
-  if constexpr (Law::rated && Law::damaged)
-    damage_elastic_points(law, elastic, n, R(0.5 * (n.x + whole.x)), p);
-  Sym3Of<R> cut{};
-  if constexpr (Law::damaged)
-    if (law.tension.cutoff > 0.0) cut = cut_whole_step(law, elastic, n, whole, p, end);
   if constexpr (Law::rated) {
     const PoresOf<R> begin = pores_before<R>(rock_of_pores<R>(law, p.history), p.history);
-    add_overstress<R>(law, elastic, cut, whole.used, begin, p, end);
-  }
-  if constexpr (Law::rated || Law::damaged) {
+    add_overstress<R>(law, elastic, Sym3Of<R>{}, whole.used, begin, p, end);
     out.elastic_work = end.elastic_work;
     out.plastic_work = mean_ratio * end.plastic_work;
   }
