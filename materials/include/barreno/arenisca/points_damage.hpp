@@ -77,7 +77,7 @@ struct DamageOfStep {};
 template <class R>
 struct DamageOfStep<R, true> {
   R damage{}, fracture_strain = R{} + 1.0;
-  Sym3Of<R> begin{};  ///< stress deviator that cracks have left it to begin with
+  Sym3Of<R> strain{};  ///< deviator that the law is given: without the opening of cracks
 };
 
 }  // namespace barreno::arenisca

@@ -82,7 +82,8 @@ BARRENO_FUNCTION void sort_falling(R (&t)[3]) {
 ///   D = D_0 + share (damaging strain of the opening at the bound (1 - D) T)/e_f,   D <= 1
 ///
 /// The right side rises with D, by less than D does unless e_f is below the elastic strain at the
-/// peak; where it does not reach D = 1 the root is found by the Illinois method.
+/// peak. Where it does not reach D = 1 the secant finds the root, and halving where that leaves the
+/// bracket. The right side at D_0 is near the root: e_f is far above that strain as a rule.
 /// @param whole  bound of rock without damage [stress]
 /// @param begin  D_0
 /// @param share_per_strain  share/e_f
@@ -100,93 +101,48 @@ BARRENO_FUNCTION R damage_of_opening(
     const OpeningOf<R> o = cracks.opening(R((1.0 - damage) * whole));
     return R((begin - damage) + share_per_strain * damaging_strain(o.squares(), o.sum));
   };
-  R low = begin, high = R{} + 1.0, at_low = missing(low), at_high = missing(high);
-  R damage = real::select(at_high >= 0.0, high, low);
-  MaskOf<R> open = asked & (at_high < 0.0) & (at_low > nothing);
-  R last{};  // side that moved last
+  R low = begin, high = R{} + 1.0, before = begin, at_before = missing(begin);
+  const MaskOf<R> breaks = missing(high) >= 0.0;
+  R damage = real::select(breaks, high, begin);
+  MaskOf<R> open = asked & !breaks & (at_before > nothing);
+  R guess = real::smaller(R(begin + at_before), 1.0);
   for (int i = 0; i < most && real::any(open); ++i) {
-    const R slope = real::select(open, at_low - at_high, 1.0);
-    const R guess = smaller_of(larger_of(R(low + (high - low) * (at_low / slope)), low), high);
     const R at = missing(guess);
-    const MaskOf<R> rises = at > 0.0;
     damage = real::select(open, guess, damage);
-    low = real::select(rises, guess, low);
-    high = real::select(rises, high, guess);
-    const MaskOf<R> again_low = rises & (last > 0.0), again_high = (!rises) & (last < 0.0);
-    at_high = real::select(rises, real::select(again_low, 0.5 * at_high, at_high), at);
-    at_low = real::select(rises, at, real::select(again_high, 0.5 * at_low, at_low));
-    last = real::select(rises, R{} + 1.0, R{} - 1.0);
+    low = real::select(at > 0.0, guess, low);
+    high = real::select(at > 0.0, high, guess);
     open = open & (real::abs(at) > nothing) & (high - low > nothing);
+    const R fall = real::select(at != at_before, at_before - at, 1.0);
+    const R next = guess + at * ((guess - before) / fall);
+    before = guess;
+    at_before = at;
+    guess = real::select((next > low) & (next < high), next, 0.5 * (low + high));
   }
   return damage;
 }
 
-/// End of a step as the limit surface leaves it, and as the bound does.
+/// A state that cracks open in, and what they make of it.
 template <class R>
 struct CutOf {
-  // Of the step.
-  R dv;  ///< strain that the law has seen
-  Sym3Of<R> de;
-  R coherence, fracture_strain, damage;
+  R coherence, fracture_strain;
   R taken = R{} + 1.0;  ///< share of the plastic strain that damages
-  // Changed.
-  R x;
+  R damage, x;
   Sym3Of<R> s;
-  R evp, shear_strain;
-  R elastic_work, plastic_work;
+  R evp, shear_strain, elastic_work, plastic_work;
   PoresOf<R> pores{};
   Sym3Of<R> missed{};  ///< change of the effective stress had the step been elastic, less what it
                        ///< was
 };
 
-/// Fluid in the pores that an opening at fixed strain widens.
-/// @param rise_of_I1  of the effective stress [stress]
-/// @param guess       of the rise of the pressure [stress]
-template <class R, class Law>
-BARRENO_FUNCTION void widen_pores(
-    const Law& law, const MaskOf<R>& torn, const R& rise_of_I1, const R& guess, CutOf<R>& c
-) {
-  const GrainsOf<R> grains = loaded_grains(law.constituents, c.pores, rise_of_I1);
-  const FilledOf<R> f = fill_pores(law.constituents, c.pores, grains, R{}, guess);
-  assign_where(torn, f.end, c.pores);
-}
-
-/// Takes an opening from a state.
-/// @param m       moduli of the skeleton
-/// @param bulk    as the opening sees it: the fluid's pressure falls with it
-/// @param bounds  sum of those at both ends of the opening [stress]
-template <class R, class Law>
-BARRENO_FUNCTION void take_opening(
-    const Law& law,
-    const MaskOf<R>& torn,
-    const OpeningOf<R>& o,
-    const Sym3Of<R>& strain,
-    const ModuliOf<R>& m,
-    const R& bulk,
-    const R& bounds,
-    CutOf<R>& c
-) {
-  constexpr double third = 1.0 / 3.0;
-  const R fall = 3.0 * bulk * o.sum, before = c.pores.pressure;
-  const Sym3Of<R> shear = R(2.0 * m.shear) * (strain - isotropic(R(third * o.sum)));
-  R missed = fall;
-  if constexpr (has_poroplastic_fluid<Law>) {
-    const R guess = R{} - fall_of(law.constituents, c.pores, m.bulk) * o.sum;
-    widen_pores(law, torn, R(-fall), guess, c);
-    missed = fall + (3.0 * law.constituents.per_matrix) * m.bulk * (c.pores.pressure - before);
-  }
-  const R fall_of_I1 = fall + 3.0 * (c.pores.pressure - before);
-  const R work = 0.5 * (fall_of_I1 * (third * c.dv) + contract(shear, c.de));
-  const R opened = 0.5 * bounds * o.sum;
-  c.elastic_work = real::select(torn, c.elastic_work - work - opened, c.elastic_work);
-  c.plastic_work = real::select(torn, c.plastic_work + opened, c.plastic_work);
-  c.x = real::select(torn, c.x - fall, c.x);
-  assign_where(torn, c.s - shear, c.s);
-  assign_where(torn, c.missed + shear + isotropic(R(third * missed)), c.missed);
-  c.evp = real::select(torn, c.evp + o.sum, c.evp);
-  const R sheared = real::sqrt(R((4.0 / 3.0) * o.squares()));
-  c.shear_strain = real::select(torn, c.shear_strain + sheared, c.shear_strain);
-}
+/// Cracks that a state opens.
+template <class R>
+struct FoundOf {
+  MaskOf<R> torn;
+  ModuliOf<R> moduli;  ///< of the skeleton
+  R bulk;              ///< as the opening sees it: the fluid's pressure falls with it
+  Sym3Of<R> strain;
+  R sum, sheared, damage, work;
+};
 
 /// Strain tensor of an opening.
 template <class R>
@@ -205,37 +161,94 @@ BARRENO_FUNCTION Sym3Of<R> strain_of(
   return strain;
 }
 
-/// Opens cracks where a principal effective stress exceeds its bound.
-/// @return where it does
+/// Cracks where a principal effective stress exceeds its bound.
 template <class R, class Law>
-BARRENO_ALIKE MaskOf<R> open_cracks(const Law& law, const MaskOf<R>& asked, CutOf<R>& c) {
+BARRENO_ALIKE FoundOf<R> find_cracks(const Law& law, const MaskOf<R>& asked, const CutOf<R>& c) {
+  FoundOf<R> f{};
   const R whole = law.tension.cutoff * c.coherence;
   PrincipalOf<R> principal = principal_of(asked, c.s);
-  const ModuliOf<R> m = law.elasticity.moduli_at(c.x, c.evp);
-  R bulk = m.bulk;
+  f.moduli = law.elasticity.moduli_at(c.x, c.evp);
+  f.bulk = f.moduli.bulk;
   if constexpr (has_poroplastic_fluid<Law>) {
     const double per_matrix = law.constituents.per_matrix;
-    bulk = bulk * (1.0 + per_matrix * fall_of(law.constituents, c.pores, m.bulk));
+    f.bulk = f.bulk * (1.0 + per_matrix * fall_of(law.constituents, c.pores, f.bulk));
   }
   CracksOf<R> cracks;
-  cracks.twice_shear = 2.0 * m.shear;
-  cracks.lambda = bulk - (1.0 / 3.0) * cracks.twice_shear;
+  cracks.twice_shear = 2.0 * f.moduli.shear;
+  cracks.lambda = f.bulk - (1.0 / 3.0) * cracks.twice_shear;
   for (int k = 0; k < 3; ++k) {
     principal.value[k] = principal.value[k] + c.x * (1.0 / 3.0);
     cracks.stress[k] = principal.value[k];
   }
   sort_falling(cracks.stress);
   const R bound = (1.0 - c.damage) * whole;
-  const MaskOf<R> torn = asked & (cracks.stress[0] > bound);
-  if (!real::any(torn)) return torn;
-  const R per_strain = c.taken / c.fracture_strain;
-  const R damage = damage_of_opening(torn, cracks, whole, c.damage, per_strain);
-  const R lower = (1.0 - damage) * whole;
+  // A state that cracks have left is at the bound but for round-off.
+  constexpr double nothing = 1e-13;
+  const R size = real::abs(cracks.stress[0]) + real::abs(cracks.stress[2]);
+  f.torn = asked & (cracks.stress[0] > bound + nothing * size);
+  if (!real::any(f.torn)) return f;
+  f.damage = damage_of_opening(f.torn, cracks, whole, c.damage, R(c.taken / c.fracture_strain));
+  const R lower = (1.0 - f.damage) * whole;
   const OpeningOf<R> o = cracks.opening(lower);
-  const Sym3Of<R> strain = strain_of(principal, cracks, lower, o.sum);
-  take_opening(law, torn, o, strain, m, bulk, R(bound + lower), c);
-  c.damage = real::select(torn, damage, c.damage);
-  return torn;
+  f.strain = strain_of(principal, cracks, lower, o.sum);
+  f.sum = o.sum;
+  f.sheared = real::sqrt(R((4.0 / 3.0) * o.squares()));
+  f.work = 0.5 * (bound + lower) * o.sum;
+  return f;
+}
+
+/// What an opening adds to histories and works, but for the work that its strain takes.
+template <class R>
+BARRENO_FUNCTION void count_opening(const FoundOf<R>& f, CutOf<R>& c) {
+  c.damage = real::select(f.torn, f.damage, c.damage);
+  c.evp = real::select(f.torn, c.evp + f.sum, c.evp);
+  c.shear_strain = real::select(f.torn, c.shear_strain + f.sheared, c.shear_strain);
+  c.elastic_work = real::select(f.torn, c.elastic_work - f.work, c.elastic_work);
+  c.plastic_work = real::select(f.torn, c.plastic_work + f.work, c.plastic_work);
+}
+
+/// Pores that an opening widens, at a volume strain of the whole.
+/// @param grains  how the rest of the skeleton takes it
+/// @return rise of the pressure [stress]
+template <class R, class Law>
+BARRENO_FUNCTION R widen_pores(
+    const Law& law,
+    const MaskOf<R>& torn,
+    const GrainsOf<R>& grains,
+    const R& volume_strain,
+    const R& guess,
+    PoresOf<R>& pores
+) {
+  const FilledOf<R> f = fill_pores(law.constituents, pores, grains, volume_strain, guess);
+  const R before = pores.pressure;
+  assign_where(torn, f.end, pores);
+  return pores.pressure - before;
+}
+
+/// Takes an opening from the state at the end of a step, at fixed strain.
+/// @param dv, de  strain of the step that the law has seen
+template <class R, class Law>
+BARRENO_FUNCTION void take_opening(
+    const Law& law, const FoundOf<R>& f, const R& dv, const Sym3Of<R>& de, CutOf<R>& c
+) {
+  constexpr double third = 1.0 / 3.0;
+  const R fall = 3.0 * f.bulk * f.sum;
+  const Sym3Of<R> shear = R(2.0 * f.moduli.shear) * (f.strain - isotropic(R(third * f.sum)));
+  R missed = fall, fall_of_I1 = fall;
+  if constexpr (has_poroplastic_fluid<Law>) {
+    const Constituents& k = law.constituents;
+    const R guess = R{} - fall_of(k, c.pores, f.moduli.bulk) * f.sum;
+    const GrainsOf<R> grains = loaded_grains(k, c.pores, R(-fall));
+    const R rise = widen_pores(law, f.torn, grains, R{}, guess, c.pores);
+    missed = fall + (3.0 * k.per_matrix) * f.moduli.bulk * rise;
+    fall_of_I1 = fall + 3.0 * rise;
+  }
+  const R work = 0.5 * (fall_of_I1 * (third * dv) + contract(shear, de));
+  c.elastic_work = real::select(f.torn, c.elastic_work - work, c.elastic_work);
+  c.x = real::select(f.torn, c.x - fall, c.x);
+  assign_where(f.torn, c.s - shear, c.s);
+  assign_where(f.torn, c.missed + shear + isotropic(R(third * missed)), c.missed);
+  count_opening(f, c);
 }
 
 /// Bound on the principal effective stresses [stress].
@@ -262,8 +275,8 @@ BARRENO_FUNCTION MaskOf<R> near_bound(
   return Tension::may_exceed(some, room, J2, J3);
 }
 
-/// What the bound on tension reads of steps, and the end of torn ones.
-/// @param holder of the points' coherence and damage: a history or a step
+/// What the bound on tension reads of points.
+/// @param holder of their coherence and damage: a history or a step
 template <class R, class Holder>
 BARRENO_FUNCTION CutOf<R> cut_of(const Holder& holder) {
   CutOf<R> c{};
@@ -272,29 +285,10 @@ BARRENO_FUNCTION CutOf<R> cut_of(const Holder& holder) {
   c.damage = holder.damage;
   return c;
 }
-template <class R, class Holder, class End>
-BARRENO_FUNCTION CutOf<R> begin_cut(
-    const Holder& holder, const R& dv, const Sym3Of<R>& de, const End& end
-) {
-  CutOf<R> c = cut_of<R>(holder);
-  c.dv = dv;
-  c.de = de;
-  c.elastic_work = end.elastic_work;
-  c.plastic_work = end.plastic_work;
-  c.pores = end.pores;
-  return c;
-}
-template <class R, class End>
-BARRENO_FUNCTION void end_cut(const MaskOf<R>& torn, const CutOf<R>& c, End& end) {
-  assign_where(torn, c.s + isotropic(R(c.x * (1.0 / 3.0) - c.pores.pressure)), end.stress);
-  end.pores = c.pores;
-  end.elastic_work = c.elastic_work;
-  end.plastic_work = c.plastic_work;
-}
 
-/// Opening of steps as if they were elastic, taken off the states that they begin with. Where bound
-/// and surface hold together most of the strain opens cracks. A surface that is asked first would
-/// take that strain for flow that dilates, and press the sides.
+/// Opening of steps as if they were elastic: the law is given what it leaves of the strain. Where
+/// bound and surface hold together most of the strain opens cracks. A surface that is asked first
+/// would take that strain for flow that dilates, and press the sides.
 /// @param[in,out] n  start
 /// @param[in,out] c  what histories tell; damage, shear strain, works and what elastic steps miss
 /// @return where cracks open
@@ -306,32 +300,50 @@ BARRENO_FUNCTION MaskOf<R> open_before(
     StartOf<R, Law>& n,
     CutOf<R>& c
 ) {
+  constexpr double third = 1.0 / 3.0;
   const ModuliOf<R>& m = n.elastic.moduli;
-  const R rise = 3.0 * m.bulk * skeleton_guess<R>(rock, n, m.bulk);
-  const Sym3Of<R> change = R(2.0 * m.shear) * n.de;
-  const Sym3Of<R> s = n.s + change;
-  const R bound = tension_bound(law, c.damage, c.coherence);
-  const MaskOf<R> near = near_bound(law, flows, bound, R(n.x + rise), s);
-  if (!real::any(near)) return near;
-  // The work of a step is that of the mean of its ends, and here it is the first that is lower.
-  c.dv = -n.dv;
-  c.de = -1.0 * n.de;
-  c.x = n.x + rise;
-  c.s = s;
+  c.x = n.x + 3.0 * m.bulk * skeleton_guess<R>(rock, n, m.bulk);
+  c.s = n.s + R(2.0 * m.shear) * n.de;
   c.evp = n.evp;
+  const R bound = tension_bound(law, c.damage, c.coherence);
+  const MaskOf<R> near = near_bound(law, flows, bound, c.x, c.s);
+  if (!real::any(near)) return near;
   if constexpr (Law::wet) c.pores = n.pores;
-  const MaskOf<R> torn = open_cracks(law, near, c);
-  n.x = real::select(torn, c.x - rise, n.x);
-  assign_where(torn, c.s - change, n.s);
+  const FoundOf<R> f = find_cracks(law, near, c);
+  if (!real::any(f.torn)) return f.torn;
+  if constexpr (has_poroplastic_fluid<Law>) {
+    // The cracks fill first; of the skeleton only the grains change, by the fluid's pressure.
+    const Constituents& k = law.constituents;
+    const GrainsOf<R> grains = elastic_grains(k, n.pores, m.bulk, R{});
+    const R guess = R{} - f.sum / storage_of(k, n.pores, m.bulk);
+    const R rise = widen_pores(law, f.torn, grains, f.sum, guess, n.pores);
+    n.x = n.x + (3.0 * k.per_matrix) * m.bulk * rise;
+  }
+  const Sym3Of<R> shear = f.strain - isotropic(R(third * f.sum));
+  const Sym3Of<R> missed = R(2.0 * f.moduli.shear) * shear + isotropic(R(f.moduli.bulk * f.sum));
+  n.dv = real::select(f.torn, n.dv - f.sum, n.dv);
+  assign_where(f.torn, n.de - shear, n.de);
+  assign_where(f.torn, missed, c.missed);
+  count_opening(f, c);
   n.evp = c.evp;
-  if constexpr (Law::wet) n.pores = c.pores;
-  if (real::any(torn)) assign_where(torn, rock.elasticity.state_at(n.x, n.evp), n.elastic);
-  return torn;
+  assign_where(f.torn, rock.elasticity.state_at(n.x, n.evp), n.elastic);
+  return f.torn;
+}
+
+/// The work of the strain of cracks that have opened before the law's own step: the mean stress at
+/// the ends of the step times what the law has not been given [stress].
+/// @param twice_mean  total stress before the step and after it
+template <class R, class Law, class Points>
+BARRENO_FUNCTION R
+work_before(const Points& p, const StepOf<R, Law>& step, const Sym3Of<R>& twice_mean, const R& dv) {
+  const Sym3Of<R> shear = deviator(p.increment.strain) - step.strain;
+  return 0.5 * (trace(twice_mean) * ((1.0 / 3.0) * (dv - step.dv)) + contract(twice_mean, shear));
 }
 
 /// The bound on principal tension at the end of steps.
-/// @param s  shear stress, which the bound turns out of the plane of the step
-/// @param[in,out] step  all but that
+/// @param s       shear stress
+/// @param begin   total quasi-static stress before the step
+/// @param[in,out] step  all but its stress, which the bound turns out of its plane
 /// @param[in,out] end   stress, pores and works
 /// @return what the step misses of an elastic one by the bound [stress]
 template <class R, class Law, class Points, class End>
@@ -340,28 +352,38 @@ BARRENO_FUNCTION Sym3Of<R> cut_step(
     const MaskOf<R>& good,
     const Points& p,
     const Sym3Of<R>& s,
+    const Sym3Of<R>& begin,
     StepOf<R, Law>& step,
     End& end
 ) {
+  R dv = trace(p.increment.strain);
+  if constexpr (Law::heated) dv = dv - p.history.thermal_expansion;
+  step.elastic_work = step.elastic_work + work_before(p, step, begin + end.stress, dv);
+  end.elastic_work = step.elastic_work;
   const R bound = tension_bound(law, step.damage, step.coherence);
   const MaskOf<R> near = near_bound(law, good, bound, step.state.x, s);
   if (!real::any(near)) return {};
-  CutOf<R> c = begin_cut<R>(step, R(step.dv), deviator(p.increment.strain), end);
+  CutOf<R> c = cut_of<R>(step);
   if constexpr (Law::rated) c.taken = step.taken;
   c.x = step.state.x;
   c.s = s;
   c.evp = step.state.evp;
   c.shear_strain = step.state.shear_strain;
-  const MaskOf<R> torn = open_cracks(law, near, c);
-  if (!real::any(torn)) return {};
+  c.elastic_work = step.elastic_work;
+  c.plastic_work = step.plastic_work;
+  c.pores = end.pores;
+  const FoundOf<R> f = find_cracks(law, near, c);
+  if (!real::any(f.torn)) return {};
+  take_opening(law, f, dv, deviator(p.increment.strain), c);
   step.damage = c.damage;
   step.state.x = c.x;
   step.state.evp = c.evp;
   step.state.shear_strain = c.shear_strain;
-  step.elastic_work = c.elastic_work;
-  step.plastic_work = c.plastic_work;
+  step.elastic_work = end.elastic_work = c.elastic_work;
+  step.plastic_work = end.plastic_work = c.plastic_work;
   if constexpr (Law::wet) step.pores = c.pores;
-  end_cut(torn, c, end);
+  end.pores = c.pores;
+  assign_where(f.torn, c.s + isotropic(R(c.x * (1.0 / 3.0) - c.pores.pressure)), end.stress);
   return c.missed;
 }
 

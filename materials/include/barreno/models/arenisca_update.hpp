@@ -64,7 +64,6 @@ BARRENO_FUNCTION StartOf<R, Law> start_of(const RockOf<R, Law>& rock, const Poin
 }
 
 /// A shear stress of a step as a tensor.
-/// @param step  whose plane is that of the stress that it began with
 template <class R, class Law, class Points>
 BARRENO_FUNCTION Sym3Of<R> tensor_of(
     const ShearIn<R, Law>& s, const StepOf<R, Law>& step, const Points& p
@@ -72,11 +71,11 @@ BARRENO_FUNCTION Sym3Of<R> tensor_of(
   if constexpr (Law::angled) {
     return s.tensor;
   } else {
-    const Sym3Of<R> de = deviator(p.increment.strain);
+    const Sym3Of<R> begin = deviator(quasi_static<R, Law>(p));
     if constexpr (Law::damaged)
-      return plane_of(step.begin, de).tensor(s);
+      return plane_of(begin, step.strain).tensor(s);
     else
-      return plane_of(deviator(quasi_static<R, Law>(p)), de).tensor(s);
+      return plane_of(begin, deviator(p.increment.strain)).tensor(s);
   }
 }
 
@@ -240,7 +239,15 @@ BARRENO_ALIKE MaskOf<R> end_step(
   Sym3Of<R> cut{};
   if constexpr (Law::damaged)
     if (rock.tension.cutoff > 0.0)
-      cut = cut_step(rock, good, p, tensor_of<R, Law>(step.state.s, step, p), step, end);
+      cut = cut_step(
+          rock,
+          good,
+          p,
+          tensor_of<R, Law>(step.state.s, step, p),
+          quasi_static<R, Law>(p),
+          step,
+          end
+      );
   const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
   if constexpr (Law::rated) {
     Sym3Of<R> missed =
@@ -317,7 +324,7 @@ BARRENO_ALIKE StepOf<R, Law> begin_rock(const Law& law, const MaskOf<R>& flows, 
     if (law.tension.cutoff > 0.0 && real::any(open_before<R>(rock, law, flows, n, c)))
       rock = rock_with_damage<R>(law, p.history, c.damage);
     step = begin_step(rock, n, c.shear_strain, flows);
-    step.begin = n.s;
+    step.strain = n.de;
     step.damage = c.damage;
     step.fracture_strain = c.fracture_strain;
     step.elastic_work = c.elastic_work;
