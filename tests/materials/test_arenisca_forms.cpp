@@ -46,6 +46,7 @@ Arenisca::Parameters with_features(Arenisca::Parameters p) {
   }
   p.fracture_strain = features.fracture_strain;
   p.fracture_energy = features.fracture_energy;
+  p.tension_cutoff = features.tension_cutoff;
   p.residual_slope = features.residual_slope;
   p.damage_pressure = features.damage_pressure;
   p.specific_heat = features.specific_heat;
