@@ -109,6 +109,7 @@ TEST(Tension, IsTheLawWrittenAnewOnRandomWays) {
     const double size = std::pow(10.0, -5.0 + 0.025 * way);
     std::vector<Sym3> strains;
     const Sym3 direction = draw();
+    strains.reserve(60);
     for (int i = 0; i < 60; ++i)
       strains.push_back(size * (0.3 * (i % 30 < 20 ? 1.0 : -1.0) * direction + draw()));
     expect_the_same(strains, std::to_string(way).c_str(), 0.0);
