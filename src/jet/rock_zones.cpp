@@ -4,6 +4,7 @@
 #include "base/gather.hpp"
 #include "jet/channel.hpp"
 #include "jet/drawn_shape.hpp"
+#include "jet/rock_permeability.hpp"
 
 #include <barreno/models.hpp>
 #include <cmath>
@@ -17,9 +18,8 @@ namespace barreno {
 namespace {
 
 /// As in the report (src/python/barreno/report/zones.py and porosity.py).
-constexpr double half_height = 2.0;          ///< of a ring [cells]
-constexpr double changed = 0.05;             ///< of the virgin porosity: less is no zone
-constexpr double least_permeability = 1e-4;  ///< of rock whose pores are closed
+constexpr double half_height = 2.0;  ///< of a ring [cells]
+constexpr double changed = 0.05;     ///< of the virgin porosity: less is no zone
 
 /// Whole numbers add up the same in every order: parts of a cell's volume.
 constexpr double bulk_quantum = 1.0 / 1099511627776.0;
@@ -43,10 +43,10 @@ double virgin_porosity(const MaterialSpec& material) {
   );
 }
 
-std::optional<int> strain_column(const MaterialSpec& material) {
+std::optional<int> column_of(const MaterialSpec& material, const char* name) {
   const std::vector<HistoryField> table = material.history_table();
   for (std::size_t i = 0; i < table.size(); ++i)
-    if (std::string(table[i].name) == "plastic_volume_strain") return static_cast<int>(i);
+    if (std::string(table[i].name) == name) return static_cast<int>(i);
   return {};
 }
 
@@ -57,17 +57,33 @@ struct Rings {
   double depth, wall;
   int count;
   double virgin;
-  int column;  ///< of the plastic volume strain
+  int strain;                   ///< column of the plastic volume strain
+  std::optional<int> breakage;  ///< its column
 };
 
-/// Bulk of the rock of one set in the rings, and that of its pores, of this rank.
-void add_set(
-    const Rings& rings,
-    const HostParticles& particles,
-    double density,
-    std::vector<long long>& bulk,
-    std::vector<long long>& pores
-) {
+/// Bulk of the rock in the rings, that of its pores, and its breakage times the bulk.
+struct RingSums {
+  std::vector<long long> bulk, pores, broken;
+
+  explicit RingSums(int count) : bulk(static_cast<std::size_t>(count)), pores(bulk), broken(bulk) {}
+  void sum(const Teuchos::Comm<int>& comm) {
+    for (auto* values : {&bulk, &pores, &broken}) sum_over_ranks(comm, *values);
+  }
+  std::vector<RingRock> rocks() const {
+    std::vector<RingRock> rocks;
+    for (std::size_t ring = 0; ring < bulk.size(); ++ring) {
+      const auto per_bulk = [&](long long sum) {
+        return bulk[ring] > 0 ? static_cast<double>(sum) / static_cast<double>(bulk[ring])
+                              : std::numeric_limits<double>::quiet_NaN();
+      };
+      rocks.push_back({per_bulk(pores[ring]), per_bulk(broken[ring])});
+    }
+    return rocks;
+  }
+};
+
+/// The rock of one set, of this rank.
+void add_set(const Rings& rings, const HostParticles& particles, double density, RingSums& sums) {
   const double cell = rings.path.bin, window = half_height * cell;
   for (int p = 0; p < particles.count; ++p) {
     const double depth = rings.path.depth(particles.position(p, 1));
@@ -87,22 +103,19 @@ void add_set(
     const double size = shape.measure() * (particles.dimensions() == 2 ? around : 1.0) * ratio;
     const double share = size / (cell * cell * cell) * along / (2.0 * high);
     const double porosity =
-        1.0 - (1.0 - rings.virgin) * std::exp(-particles.history(p, rings.column));
-    if (!std::isfinite(share + porosity)) continue;  // a run that ends because of it
+        1.0 - (1.0 - rings.virgin) * std::exp(-particles.history(p, rings.strain));
+    const double breakage = rings.breakage ? particles.history(p, *rings.breakage) : 0.0;
+    if (!std::isfinite(share + porosity + breakage)) continue;  // a run that ends because of it
     for (int ring = 0; ring < rings.count; ++ring) {
       const double inner = rings.wall + ring * cell;
       const double part =
           share * overlap(radius - wide, radius + wide, inner, inner + cell) / (2.0 * wide);
       const auto index = static_cast<std::size_t>(ring);
-      bulk[index] += std::llround(part / bulk_quantum);
-      pores[index] += std::llround(part * std::clamp(porosity, 0.0, 1.0) / bulk_quantum);
+      sums.bulk[index] += std::llround(part / bulk_quantum);
+      sums.pores[index] += std::llround(part * std::clamp(porosity, 0.0, 1.0) / bulk_quantum);
+      sums.broken[index] += std::llround(part * breakage / bulk_quantum);
     }
   }
-}
-
-double permeability(double porosity, double virgin) {
-  const double pores = porosity / virgin, grains = (1.0 - virgin) / std::max(1.0 - porosity, 1e-12);
-  return pores * pores * pores * grains * grains;
 }
 
 /// The body's channel is looked at half-way down; without enough of it, or in no porous rock: none.
@@ -117,27 +130,20 @@ std::optional<RockZones> zones_in(
       scene.materials[static_cast<std::size_t>(scene.bodies[layer.body].material)];
   const double virgin = virgin_porosity(rock), cell = path.bin;
   const double length = depth_in(layer, path, found.channel_depth);
-  const std::optional<int> column = strain_column(rock);
-  if (!(virgin > 0.0) || !column || !(length > 2.0 * half_height * cell)) return {};
+  const std::optional<int> strain = column_of(rock, "plastic_volume_strain");
+  if (!(virgin > 0.0) || !strain || !(length > 2.0 * half_height * cell)) return {};
   const double depth = layer.near - path.direction * path.face + 0.5 * length;
   const double wall = wall_at(path, found, depth);
   const double across =
       std::max(std::abs(scene.grid.lower[0]), std::abs(scene.grid.upper[0])) - wall;
   const int count = std::max(1, static_cast<int>(across / cell));
-  const Rings rings{scene, path, depth, wall, count, virgin, *column};
-  std::vector<long long> bulk(static_cast<std::size_t>(count)), pores(bulk.size());
+  const Rings rings{scene, path, depth, wall, count, virgin, *strain, column_of(rock, "breakage")};
+  RingSums sums(count);
   for (std::size_t set = 0; set < state.particles.size(); ++set)
     if (static_cast<int>(set) == scene.bodies[layer.body].material)
-      add_set(rings, HostParticles(state.particles[set]), rock.density(), bulk, pores);
-  sum_over_ranks(*state.grid.comm, bulk);
-  sum_over_ranks(*state.grid.comm, pores);
-  std::vector<double> porosity;
-  for (std::size_t ring = 0; ring < bulk.size(); ++ring)
-    porosity.push_back(
-        bulk[ring] > 0 ? static_cast<double>(pores[ring]) / static_cast<double>(bulk[ring])
-                       : std::numeric_limits<double>::quiet_NaN()
-    );
-  RockZones zones = zones_of_rings(porosity, virgin, wall, cell);
+      add_set(rings, HostParticles(state.particles[set]), rock.density(), sums);
+  sums.sum(*state.grid.comm);
+  RockZones zones = zones_of_rings(sums.rocks(), virgin, wall, cell);
   zones.body = layer.body;
   zones.depth = depth;
   if (scene.grid.mode == Mode::plane_strain) zones.skin = std::numeric_limits<double>::quiet_NaN();
@@ -147,20 +153,24 @@ std::optional<RockZones> zones_in(
 }  // namespace
 
 RockZones zones_of_rings(
-    const std::vector<double>& porosity, double virgin, double wall, double width
+    const std::vector<RingRock>& rings, double virgin, double wall, double width
 ) {
+  using Law = PermeabilityLaw;
   RockZones zones;
-  zones.wall = zones.crushed_from = zones.crushed_to = zones.dilated_to = wall;
+  zones.wall = zones.crushed_from = zones.crushed_to = wall;
+  zones.dilated_to = zones.impaired_to = wall;
   zones.least_porosity = zones.least_permeability = std::numeric_limits<double>::infinity();
   bool crushed = false;
-  for (std::size_t ring = 0; ring < porosity.size(); ++ring) {
-    const double phi = porosity[ring];
+  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    const auto [phi, breakage] = rings[ring];
     if (std::isnan(phi)) continue;
     const double inner = wall + static_cast<double>(ring) * width, outer = inner + width;
-    const double k = permeability(phi, virgin);
+    const double k = rock_permeability(phi, virgin, breakage);
     zones.least_porosity = std::min(zones.least_porosity, phi);
     zones.least_permeability = std::min(zones.least_permeability, k);
-    zones.skin += (1.0 / std::max(k, least_permeability) - 1.0) * std::log(outer / inner);
+    zones.greatest_breakage = std::max(zones.greatest_breakage, breakage);
+    zones.skin += (1.0 / std::max(k, Law::least) - 1.0) * std::log(outer / inner);
+    if (k < Law::impaired) zones.impaired_to = outer;
     if (phi > (1.0 + changed) * virgin) zones.dilated_to = outer;
     if (!(phi < (1.0 - changed) * virgin)) continue;
     if (!crushed) zones.crushed_from = inner;

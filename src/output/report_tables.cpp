@@ -3,6 +3,7 @@
 
 #include "deck/section_table.hpp"
 #include "deck/sections/material_section.hpp"
+#include "jet/rock_permeability.hpp"
 #include "output/particle_field_table.hpp"
 #include "state/ledger_table.hpp"
 
@@ -63,12 +64,23 @@ Tables entries_of_published_surface() {
   return names;
 }
 
+/// The report computes the permeability of rock that it averages over rings of its own.
+Tables permeability_of_rock() {
+  using Law = PermeabilityLaw;
+  return {
+      {"least", Law::least},
+      {"most", Law::most},
+      {"of_broken", Law::of_broken},
+      {"impaired", Law::impaired}};
+}
+
 }  // namespace
 
 std::string report_tables() {
   Tables tables;
   tables["units"] = units_of_fields();
   tables["energy"] = energies_of_ledger();
+  tables["permeability"] = permeability_of_rock();
   tables["published_surface"] = entries_of_published_surface();
   return tables.dump(1) + "\n";
 }

@@ -82,7 +82,12 @@ std::string zones_words(const Scene& scene, const RockZones& zones) {
               : std::string("not crushed");
   if (zones.dilated_to > zones.wall)
     text += number_line(", dilated to %.2f mm", 1e3 * zones.dilated_to);
-  if (std::isfinite(zones.skin)) text += number_line("; skin %.2g by its porosity", zones.skin);
+  if (zones.impaired_to > zones.wall)
+    text += number_line(", impaired to %.2f mm", 1e3 * zones.impaired_to);
+  if (std::isfinite(zones.skin)) {
+    text += number_line("; skin %.2g by its porosity", zones.skin);
+    if (zones.greatest_breakage > 0.0) text += " and its broken grains";
+  }
   return text;
 }
 

@@ -225,8 +225,10 @@ void put_zones(Json& json, const Scene& scene, const std::vector<RockZones>& zon
     one["crushed_from"] = number(found.crushed_from);
     one["crushed_to"] = number(found.crushed_to);
     one["dilated_to"] = number(found.dilated_to);
+    one["impaired_to"] = number(found.impaired_to);
     one["least_porosity"] = number(found.least_porosity);
     one["least_permeability"] = number(found.least_permeability);
+    one["greatest_breakage"] = number(found.greatest_breakage);
     one["skin"] = number(found.skin);  // null in plane strain
   }
 }

@@ -288,11 +288,13 @@ struct Sample<DamagedArenisca> : Sample<Arenisca> {
     p.fracture_energy = 60.0;
     p.residual_slope = 0.3;
     p.damage_pressure = 150e6;
+    p.breakage_energy = 40e6;
+    p.breakage_pressure = 100e6;
     return p;
   }
   static std::vector<std::pair<Arenisca::Parameters, std::string>> contradictions() {
     using P = Arenisca::Parameters;
-    std::vector<std::pair<P, std::string>> list(13, {parameters(), "Fracture strain"});
+    std::vector<std::pair<P, std::string>> list(16, {parameters(), "Fracture strain"});
     list[0].first.fracture_strain = 0.0;
     list[0].second = "Fracture energy";
     list[1].first = Sample<Arenisca>::parameters();
@@ -323,6 +325,16 @@ struct Sample<DamagedArenisca> : Sample<Arenisca> {
     list[12].first = Sample<Arenisca>::parameters();
     list[12].first.tension_cutoff = 3e6;
     list[12].second = "Tension cutoff";
+    list[13].first.breakage_energy = 0.0;
+    list[13].second = "Breakage pressure";
+    for (std::size_t i = 14; i < 16; ++i) {
+      list[i].first = Sample<Arenisca>::parameters();  // rock without damage
+      list[i].first.breakage_energy = 40e6;
+      list[i].second = "Breakage energy";
+    }
+    list[14].first.return_solver = 1;
+    list[15].first.J3_type = arenisca::Lode::gudehus;
+    list[15].first.J3_psi = 0.8;
     return list;
   }
 };

@@ -49,6 +49,8 @@ Arenisca::Parameters with_features(Arenisca::Parameters p) {
   p.tension_cutoff = features.tension_cutoff;
   p.residual_slope = features.residual_slope;
   p.damage_pressure = features.damage_pressure;
+  p.breakage_energy = features.breakage_energy;
+  p.breakage_pressure = features.breakage_pressure;
   p.specific_heat = features.specific_heat;
   p.grueneisen = features.grueneisen;
   p.grain_density = features.grain_density;
@@ -90,7 +92,10 @@ private:
     h.plastic_volume_strain = rock.history.plastic_volume_strain;
     h.equivalent_plastic_strain = rock.history.equivalent_plastic_strain;
     if constexpr (Law::scattered) h.coherence = 0.5 + unit();
-    if constexpr (Law::damaged) h.damage = unit() < 0.5 ? unit() : 0.0;
+    if constexpr (Law::damaged) {
+      h.damage = unit() < 0.5 ? unit() : 0.0;
+      h.breakage = unit() < 0.5 ? unit() : 0.0;
+    }
     if constexpr (Law::heated) {
       h.temperature = 300.0 + (unit() < 0.5 ? 2400.0 * unit() : 0.0);
       h.thermal_expansion = unit() < 0.5 ? 1e-4 * unit() : 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jet/depth.hpp"
+#include "jet/rock_permeability.hpp"
 #include "jet/rock_zones.hpp"
 #include "unit/output/synthetic_run.hpp"
 
@@ -18,7 +19,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 TEST(RockZones, AreWhereThePorosityHasChanged) {
   const double virgin = 0.2, wall = 0.01, width = 0.001;
-  const RockZones zones = zones_of_rings({0.15, none, 0.25, 0.2}, virgin, wall, width);
+  const RockZones zones =
+      zones_of_rings({{0.15, 0.0}, {none, none}, {0.25, 0.0}, {0.2, 0.0}}, virgin, wall, width);
   EXPECT_EQ(zones.crushed_from, wall);
   EXPECT_NEAR(zones.crushed_to, 0.011, 1e-15);
   EXPECT_NEAR(zones.dilated_to, 0.013, 1e-15);
@@ -31,15 +33,43 @@ TEST(RockZones, AreWhereThePorosityHasChanged) {
   EXPECT_NEAR(zones.skin, skin, 1e-13);
 }
 
+/// Fully broken grains let 0.3 through: S/S_0 = sqrt(1/0.3); half-way there it is half of that
+/// more.
+TEST(RockZones, AreImpairedByBrokenGrains) {
+  const RockZones zones =
+      zones_of_rings({{0.2, 1.0}, {0.2, 0.5}, {0.2, 0.1}, {0.2, 0.0}}, 0.2, 0.01, 0.001);
+  const auto permeability = [](double breakage) {
+    const double surface = 1.0 - breakage + breakage * std::sqrt(1.0 / 0.3);
+    return 1.0 / (surface * surface);
+  };
+  ASSERT_LT(permeability(0.5), 0.7);
+  ASSERT_GT(permeability(0.1), 0.7);
+  EXPECT_EQ(zones.crushed_to, 0.01) << "the porosity is that of virgin rock";
+  EXPECT_NEAR(zones.impaired_to, 0.012, 1e-15);
+  EXPECT_EQ(zones.greatest_breakage, 1.0);
+  EXPECT_NEAR(zones.least_permeability, 0.3, 1e-15);
+  const double skin = (1.0 / 0.3 - 1.0) * std::log(1.1) +
+                      (1.0 / permeability(0.5) - 1.0) * std::log(12.0 / 11.0) +
+                      (1.0 / permeability(0.1) - 1.0) * std::log(13.0 / 12.0);
+  EXPECT_NEAR(zones.skin, skin, 1e-13);
+}
+
+/// Rock that opens breaks in cracks: its pores give no more than three times the permeability.
+TEST(RockZones, BoundWhatDilationGives) {
+  EXPECT_EQ(rock_permeability(0.36, 0.2, 0.0), 3.0);
+  EXPECT_NEAR(rock_permeability(0.36, 0.2, 1.0), 0.9, 1e-15);
+  EXPECT_EQ(rock_permeability(0.2, 0.2, 0.0), 1.0);
+}
+
 TEST(RockZones, AreTheWallInVirginRock) {
-  const RockZones zones = zones_of_rings({0.2, 0.2}, 0.2, 0.01, 0.001);
+  const RockZones zones = zones_of_rings({{0.2, 0.0}, {0.2, 0.0}}, 0.2, 0.01, 0.001);
   EXPECT_EQ(zones.crushed_to, 0.01);
   EXPECT_EQ(zones.dilated_to, 0.01);
   EXPECT_NEAR(zones.skin, 0.0, 1e-15);
 }
 
 TEST(RockZones, HaveASkinWhereAllPoresAreClosed) {
-  const RockZones zones = zones_of_rings({0.0}, 0.2, 0.01, 0.001);
+  const RockZones zones = zones_of_rings({{0.0, 0.0}}, 0.2, 0.01, 0.001);
   EXPECT_EQ(zones.least_permeability, 0.0);
   EXPECT_NEAR(zones.skin, 9999.0 * std::log(1.1), 1e-9);
 }

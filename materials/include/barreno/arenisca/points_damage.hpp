@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "barreno/arenisca/parts/breakage.hpp"
 #include "barreno/arenisca/parts/damage.hpp"
 #include "barreno/arenisca/parts/tension.hpp"
 #include "barreno/arenisca/points_pieces.hpp"
@@ -8,7 +9,7 @@
 namespace barreno::arenisca {
 
 // Rock that loses cohesion (parts/damage.hpp), of one or several points: a piece has the limit
-// surface of its damage.
+// surface of its damage. Its grains can break (parts/breakage.hpp), which changes no stress.
 
 /// Dry or wet rock whose pieces can have a strength of their own and lose it.
 template <class Whole>
@@ -17,6 +18,7 @@ struct DamagedRock : ScatteredRock<Whole> {
 
   Damage damage;
   Tension tension;
+  Breakage breakage;
 };
 
 /// The surface of its pieces, the same to the last bit for every caller.
@@ -50,11 +52,12 @@ struct DamagedPiecesOf : Whole {
   SurfaceOf<R, typename Whole::Parts::ShearLimit> surface;  ///< instead of that of the whole
   CapOf<R> first_cap;
   R intact;  ///< 1 - D
+  Breakage breakage;
 
   BARRENO_FUNCTION DamagedPiecesOf(
       const DamagedRock<Whole>& rock, const R& coherence, const R& damage
   )
-      : Whole(static_cast<const Whole&>(rock)), intact(1.0 - damage) {
+      : Whole(static_cast<const Whole&>(rock)), intact(1.0 - damage), breakage(rock.breakage) {
     if (!real::any((coherence != 1.0) | (damage != 0.0))) {
       surface = same_surface<R>(rock.mean);
       first_cap = same_cap<R>(rock.mean_first_cap);
@@ -78,6 +81,20 @@ template <class R>
 struct DamageOfStep<R, true> {
   R damage{}, fracture_strain = R{} + 1.0;
   Sym3Of<R> strain{};  ///< deviator that the law is given: without the opening of cracks
+  R breaking_work{};  ///< of the substeps so far (parts/breakage.hpp) [stress]
 };
+
+/// What an attempt tells of rock whose grains can break.
+template <class R, bool damaged>
+struct WithBreaking {};
+template <class R>
+struct WithBreaking<R, true> {
+  R breaking_work{};
+};
+template <class Law, class Mask, class From, class To>
+BARRENO_FUNCTION void assign_breaking(const Mask& choice, const From& from, To& to) {
+  if constexpr (Law::damaged)
+    to.breaking_work = real::select(choice, from.breaking_work, to.breaking_work);
+}
 
 }  // namespace barreno::arenisca

@@ -63,7 +63,9 @@ struct WithUsedModuli<R, true> {
 /// [stress], works per current volume, tangent moduli; `refused` where it asks for a shorter
 /// substep.
 template <class R, class Law>
-struct AttemptOf : WithPores<R, Law::wet>, WithUsedModuli<R, Law::rated> {
+struct AttemptOf : WithPores<R, Law::wet>,
+                   WithUsedModuli<R, Law::rated>,
+                   WithBreaking<R, Law::damaged> {
   StateOf<R, Law> end;
   R error, allowed;
   MaskOf<R> elastic, refused;
@@ -227,6 +229,7 @@ BARRENO_FUNCTION void select_attempt(
   assign_where(choice, other.plastic_work, a.plastic_work);
   assign_where(choice, other.moduli, a.moduli);
   assign_pores<Law>(choice, other, a);
+  assign_breaking<Law>(choice, other, a);
   if constexpr (Law::rated) assign_where(choice, other.used, a.used);
 }
 

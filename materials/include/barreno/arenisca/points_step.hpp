@@ -71,6 +71,7 @@ BARRENO_FUNCTION void accept_elastic(
   }
   a.elastic_work = real::select(inside, work, a.elastic_work);
   a.plastic_work = real::select(inside, 0.0, a.plastic_work);
+  if constexpr (Law::damaged) a.breaking_work = real::select(inside, 0.0, a.breaking_work);
 }
 
 /// What becomes of attempts: taken, or tried again.
@@ -288,6 +289,8 @@ BARRENO_FUNCTION void take_substeps(
   assign_where(takes, a.end, step.state);
   step.elastic_work = step.elastic_work + real::select(takes, a.elastic_work, 0.0);
   step.plastic_work = step.plastic_work + real::select(takes, a.plastic_work, 0.0);
+  if constexpr (Law::damaged)
+    step.breaking_work = step.breaking_work + real::select(takes, a.breaking_work, 0.0);
   const R bulk = bulk_of<R>(rock, a, a.end.x, a.moduli.bulk);
   step.modulus = real::select(takes, bulk + (4.0 / 3.0) * a.moduli.shear, step.modulus);
   if constexpr (has_poroplastic_fluid<Law>) {

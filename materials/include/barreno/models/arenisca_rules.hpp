@@ -154,6 +154,16 @@ inline std::string check_heat(const AreniscaParameters& p) {
          "outside; leave those or the heat out.";
 }
 
+/// So do grains that break.
+inline std::string check_breakage(const AreniscaParameters& p) {
+  if (p.breakage_energy == 0.0) return {};
+  const bool other = count_of_others(p) > 0;
+  if (p.J3_type == 0 && !other && is_plain_law(p, p.fluid_B0 > 0.0)) return {};
+  return named("Breakage energy", p.breakage_energy) +
+         " (grains that break) goes with neither J3_type, the bisection, a published pore fluid "
+         "nor parts from outside; leave those or the breakage out.";
+}
+
 /// One part in place of a published one, in rock without the features that have forms of their own.
 inline std::string check_other_parts(const AreniscaParameters& p) {
   std::string words;
@@ -192,6 +202,7 @@ inline std::string check_arenisca(const AreniscaParameters& p) {
         arenisca::check_damage,
         arenisca::check_tension,
         arenisca::check_heat,
+        arenisca::check_breakage,
         arenisca::check_other_parts})
     if (problem.empty()) problem = rule(p);
   return problem;

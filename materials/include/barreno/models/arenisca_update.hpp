@@ -219,6 +219,15 @@ BARRENO_FUNCTION decltype(auto) rock_of_pores(const Law& law, const Holder& hold
     return (law);
 }
 
+/// Breakage of grains by the work of a step.
+template <class R, class Law, class History>
+BARRENO_FUNCTION void break_grains(
+    const Law& law, const MaskOf<R>& choice, const R& work, History& h
+) {
+  if (law.breakage.per_energy == 0.0) return;
+  h.breakage = real::select(choice, law.breakage.after(h.breakage, work), h.breakage);
+}
+
 /// End of steps that flow, from the stress and strain increment that they began with.
 /// @return where the step is left to update()
 template <class R, class Law, class Points>
@@ -262,7 +271,10 @@ BARRENO_ALIKE MaskOf<R> end_step(
   h.plastic_volume_strain = real::select(good, step.state.evp, h.plastic_volume_strain);
   h.equivalent_plastic_strain =
       real::select(good, step.state.shear_strain, h.equivalent_plastic_strain);
-  if constexpr (Law::damaged) h.damage = real::select(good, step.damage, h.damage);
+  if constexpr (Law::damaged) {
+    h.damage = real::select(good, step.damage, h.damage);
+    break_grains<R>(rock, good, R(mean_ratio * step.breaking_work), h);
+  }
   keep_pores<R>(rock_of_pores<R>(rock, step), good, step.state.x, end.pores, h);
   PointsOutcome<R>& out = p.outcome;
   out.elastic_work = real::select(good, mean_ratio * end.elastic_work, out.elastic_work);

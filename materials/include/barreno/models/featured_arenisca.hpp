@@ -34,7 +34,7 @@ struct FeaturedForm {
   using HistoryOf = History_<R>;
   using History = HistoryOf<double>;
   static constexpr int history_count = Plain::history_count + 1 + (Law::rated ? 6 : 0) +
-                                       (Law::damaged ? 2 : 0) + (Law::heated ? 2 : 0);
+                                       (Law::damaged ? 3 : 0) + (Law::heated ? 2 : 0);
 
   static ParameterTable<Parameters> parameter_table() { return arenisca_parameter_table(); }
   static std::vector<HistoryField> history_table() {
@@ -50,6 +50,7 @@ struct FeaturedForm {
            dimension::none,
            "plastic strain of full damage in tension, for the size of the piece"}
       );
+      table.push_back({"breakage", dimension::none, "0: grains are whole; 1: fully broken"});
     }
     if (Law::heated) {
       table.push_back({"temperature", dimension::temperature, "temperature"});
@@ -121,7 +122,8 @@ struct FeaturedForm {
         arenisca::sound_points(p.increment, p.stress, sum, h.equivalent_plastic_strain) &
         (h.coherence >= 0.0);
     if constexpr (Law::damaged)
-      sound = sound & (h.damage >= 0.0) & (h.damage <= 1.0) & (h.fracture_strain > 0.0);
+      sound = sound & (h.damage >= 0.0) & (h.damage <= 1.0) & (h.fracture_strain > 0.0) &
+              (h.breakage >= 0.0) & (h.breakage <= 1.0);
     if constexpr (Law::heated)
       sound = sound & real::is_finite(R(h.temperature + h.thermal_expansion));
     if constexpr (Law::wet) sound = sound & arenisca::sound_pores<R, Law>(h);
@@ -157,6 +159,7 @@ protected:
     if constexpr (Law::angled) rock.lode = {p.J3_type, p.J3_psi};
     if constexpr (Law::damaged) {
       rock.damage = arenisca::Damage::make(p);
+      rock.breakage = arenisca::Breakage::make(p);
       arenisca::set_damage(rock);
       rock.tension = arenisca::Tension::make(p);
     }
@@ -207,6 +210,7 @@ struct DamagedHistoryOf {
   R plastic_volume_strain{}, equivalent_plastic_strain{};
   R coherence = R{} + 1.0;
   R damage{}, fracture_strain = R{} + 1.0;
+  R breakage{};
 };
 template <class R>
 struct DamagedWetHistoryOf {
@@ -215,12 +219,14 @@ struct DamagedWetHistoryOf {
   R pore_pressure{}, porosity{}, gas{};
   R coherence = R{} + 1.0;
   R damage{}, fracture_strain = R{} + 1.0;
+  R breakage{};
 };
 template <class R>
 struct HeatedHistoryOf {
   R plastic_volume_strain{}, equivalent_plastic_strain{};
   R coherence = R{} + 1.0;
   R damage{}, fracture_strain = R{} + 1.0;
+  R breakage{};
   R temperature{}, thermal_expansion{};
 };
 template <class R>
@@ -230,6 +236,7 @@ struct HeatedWetHistoryOf {
   R pore_pressure{}, porosity{}, gas{};
   R coherence = R{} + 1.0;
   R damage{}, fracture_strain = R{} + 1.0;
+  R breakage{};
   R temperature{}, thermal_expansion{};
 };
 template <class R>
@@ -237,6 +244,7 @@ struct RatedHeatedHistoryOf {
   R plastic_volume_strain{}, equivalent_plastic_strain{};
   R coherence = R{} + 1.0;
   R damage{}, fracture_strain = R{} + 1.0;
+  R breakage{};
   R temperature{}, thermal_expansion{};
   R overstress_xx{}, overstress_yy{}, overstress_zz{};
   R overstress_xy{}, overstress_yz{}, overstress_zx{};
@@ -248,6 +256,7 @@ struct RatedHeatedWetHistoryOf {
   R pore_pressure{}, porosity{}, gas{};
   R coherence = R{} + 1.0;
   R damage{}, fracture_strain = R{} + 1.0;
+  R breakage{};
   R temperature{}, thermal_expansion{};
   R overstress_xx{}, overstress_yy{}, overstress_zz{};
   R overstress_xy{}, overstress_yz{}, overstress_zx{};

@@ -96,8 +96,10 @@ def lines_of(options, rings, shot, virgin, shares):
     rows += [(f"{1e3 * low:.1f}", f"{1e3 * high:.1f}", f"{100.0 * share:.1f}") for low, high, share in shares]
     yield from aligned(rows)
     yield ""
-    yield ("Permeability follows Kozeny and Carman from the porosity that plastic flow has left, for grains that stay whole: broken grains "
-        "of the crushed zone let less through, so the real efficiency is lower.")
+    broken = np.nanmax(rings.breakage) > 0.0
+    yield ("Permeability follows Kozeny and Carman from the porosity that plastic flow has left, "
+        + ("and from the breakage of the grains." if broken else "for grains that stay whole: broken grains "
+        "of the crushed zone let less through, so the real efficiency is lower. A card with Breakage energy knows them."))  # fmt: skip
 
 
 def flow_of(folder, boundary, time=None, cell=None, ranks=1):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rock around a hole on rings of equal cells, from the particles of a run: porosity, permeability, and which cells the hole has taken."""
+"""Rock around a hole on rings of equal cells, from the particles of a run: porosity, breakage, permeability, and which cells the hole has
+taken."""
 
 import dataclasses
 
@@ -20,6 +21,7 @@ class Rings:
     radii: np.ndarray  # edges [m]
     depths: np.ndarray  # edges, below the outer face [m]
     porosity: np.ndarray  # (rows, columns); nan: no rock
+    breakage: np.ndarray  # of grains; nan: no rock
     permeability: np.ndarray  # over that of virgin rock; 0: no rock
     hole: np.ndarray  # whether a cell belongs to the hole
     virgin: float  # porosity
@@ -65,12 +67,18 @@ def in_cells(rock, radii, depths, *amounts, by_depth=False):
     return sums
 
 
-def porosity_of(rock, radii, depths):
-    """(mean porosity, part of the volume that is rock) of cells."""
-    bulk, pores = in_cells(rock, radii, depths, rock.bulk, rock.bulk * rock.porosity)
+def rock_in_cells(rock, radii, depths):
+    """(mean porosity, mean breakage, part of the volume that is rock) of cells."""
+    bulk, pores, broken = in_cells(rock, radii, depths, rock.bulk, rock.bulk * rock.porosity, rock.bulk * rock.breakage, by_depth=True)
     volume = np.diff(depths)[:, None] * 0.5 * (radii[1:] ** 2 - radii[:-1] ** 2)
     with np.errstate(invalid="ignore", divide="ignore"):
-        return pores / bulk, bulk / volume
+        return pores / bulk, broken / bulk, bulk / volume
+
+
+def permeability_of(there, porosity, breakage, virgin):
+    """k/k_0 of cells; 0 where there is no rock."""
+    found = relative_permeability(np.where(there, porosity, virgin), virgin, np.where(there, breakage, 0.0))
+    return np.where(there, np.maximum(found, LEAST_PERMEABILITY), 0.0)
 
 
 def with_neighbours(cells):
@@ -114,16 +122,15 @@ def rings_of(run, time, cell=None):
     width = float((whole.r + whole.half_width).max())
     radii = np.linspace(0.0, width, max(2, round(width / size)) + 1)
     depths = np.linspace(top, rear, max(2, round((rear - top) / size)) + 1)
-    porosity, part = porosity_of(rock, radii, depths)
+    porosity, breakage, part = rock_in_cells(rock, radii, depths)
     middle = 0.5 * (depths[1:] + depths[:-1])
     wall = np.array([hole.radius_at(depth) if depth < hole.length else 0.0 for depth in middle])
     in_hole = (0.5 * (radii[1:] + radii[:-1])[None, :] < wall[:, None])
     there = ~in_hole & (part > ROCK) & np.isfinite(porosity)
     in_hole = with_voids(in_hole, ~there)
-    permeability = np.where(there, np.maximum(relative_permeability(np.where(there, porosity, rock.virgin), rock.virgin),
-        LEAST_PERMEABILITY), 0.0)  # fmt: skip
     if not in_hole.any():
         raise Fault(f"the hole of {run.folder} is thinner than the cells of {1e3 * size:.3g} mm, so nothing flows into it; give a smaller "
             "--cell.")
-    porosity = np.where(there, porosity, np.nan)
-    return Rings(radii, depths, porosity, permeability, in_hole, rock.virgin, wall, min(hole.length, rear) - top, rock)
+    permeability = permeability_of(there, porosity, breakage, rock.virgin)
+    porosity, breakage = (np.where(there, values, np.nan) for values in (porosity, breakage))
+    return Rings(radii, depths, porosity, breakage, permeability, in_hole, rock.virgin, wall, min(hole.length, rear) - top, rock)

@@ -113,7 +113,7 @@ def widened(rings, gone):
     on_axis = np.flatnonzero(gone[:, 0])
     end = rings.depths[on_axis[-1] + 1] - rings.depths[0] if len(on_axis) else 0.0
     return dataclasses.replace(rings, hole=hole, wall=wall, hole_length=max(rings.hole_length, float(end)),
-        porosity=np.where(gone, np.nan, rings.porosity), permeability=np.where(gone, 0.0, rings.permeability))
+        porosity=np.where(gone, np.nan, rings.porosity), breakage=np.where(gone, np.nan, rings.breakage), permeability=np.where(gone, 0.0, rings.permeability))
 
 
 def refuse_all(folder, former, rings, boundary, pressure):

@@ -57,7 +57,7 @@ def draw_rings(porosity, permeability, rings):
     permeability.yaxis.set_minor_locator(NullLocator())
     porosity.set_ylabel("porosity [%]")
     porosity.set_title("rings around the hole (dotted: its wall)", fontsize=10)
-    permeability.set(xlabel="radius [mm]", ylabel="permeability / virgin\n(Kozeny-Carman)")
+    permeability.set(xlabel="radius [mm]", ylabel="permeability / virgin")
     porosity.set_ylim(bottom=0.0)
     for axes in (porosity, permeability):
         axes.grid(alpha=0.3)

@@ -6,15 +6,16 @@ import numpy as np
 from barreno.report.channel import time_text
 from barreno.report.files import write_text
 from barreno.report.hole_picture import hole_figure
-from barreno.report.porosity import LEAST_PERMEABILITY
+from barreno.report.porosity import IMPAIRED, LAW, LEAST_PERMEABILITY
 from barreno.report.section import Picture, Section
 from barreno.report.zones import CHANGED, Rock, chosen_depths, rings_at, zones_of
 from barreno.runs.faults import Fault
 
 MILLI = 1e-3
 ROUND_OFF = 1e-9
-ZONES = ("depth", "radius", "crushed_from", "crushed_to", "dilated_to", "least_porosity", "least_permeability", "skin")
-COLUMNS = "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall"
+ZONES = ("depth", "radius", "crushed_from", "crushed_to", "dilated_to", "impaired_to", "least_porosity", "least_permeability",
+    "greatest_breakage", "skin")  # fmt: skip
+COLUMNS = "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall,impaired_to,breakage_at_wall"
 
 
 def rows_in_rock(hole, top, across):
@@ -61,21 +62,23 @@ def zones_of_summary(summary, time):
     if "time" not in summary or abs(summary["time"] - time) > ROUND_OFF * time:
         return []
     found = summary.get("penetration", {}).get("zones_in_body", {})
-    return [{name: float(zones[name] if zones[name] is not None else "nan") for name in ZONES} for zones in found.values()]
+    # Runs of former versions know no impaired zone.
+    return [{name: float("nan" if (value := zones.get(name)) is None else value) for name in ZONES} for zones in found.values()]
 
 
 def zone_table(zones):
     """Heads and rows.  @param zones  as Rings.zones"""
-    heads = ("depth [mm]", "wall [mm]", "crushed from [mm]", "to [mm]", "dilated to [mm]", "least porosity [%]",
-        "least permeability / virgin", "skin")
+    heads = ("depth [mm]", "wall [mm]", "crushed from [mm]", "to [mm]", "dilated to [mm]", "impaired to [mm]", "least porosity [%]",
+        "greatest breakage", "least permeability / virgin", "skin")
     rows = []
     for one in zones:
         none = one["crushed_from"] == one["crushed_to"]
         rows.append((
             f"{one['depth'] / MILLI:.1f}", f"{one['radius'] / MILLI:.2f}", "none" if none else f"{one['crushed_from'] / MILLI:.1f}",
             "" if none else f"{one['crushed_to'] / MILLI:.1f}",
-            "none" if one["dilated_to"] == one["radius"] else f"{one['dilated_to'] / MILLI:.1f}", f"{100.0 * one['least_porosity']:.1f}",
-            f"{one['least_permeability']:.2f}", f"{one['skin']:+.2f}",
+            "none" if one["dilated_to"] == one["radius"] else f"{one['dilated_to'] / MILLI:.1f}",
+            "none" if one["impaired_to"] == one["radius"] else f"{one['impaired_to'] / MILLI:.1f}",
+            f"{100.0 * one['least_porosity']:.1f}", f"{one['greatest_breakage']:.2f}", f"{one['least_permeability']:.2f}", f"{one['skin']:+.2f}",
         ))  # fmt: skip
     return heads, rows
 
@@ -90,7 +93,9 @@ ROCK = (
     "one cell wide and four "
     f"cells high; a zone is crushed or dilated where it differs from the virgin porosity by more than {100.0 * CHANGED:.0f} % of that. "
     "Permeability follows Kozeny and Carman, "
-    "k ~ phi^3/(1 - phi)^2, for grains that stay whole: broken grains of a crushed zone let less through. The skin is Hawkins' sum of "
+    f"k ~ phi^3/(S (1 - phi))^2, at most {LAW['most']:g} times the virgin one by its porosity; the surface S of the grains grows with their "
+    f"breakage, so that fully broken ones let {LAW['of_broken']:g} through of what whole ones do. A card without Breakage energy has whole "
+    f"grains: crushed rock then lets less through than computed. Rock is impaired below {IMPAIRED:g} of the virgin permeability. The skin is Hawkins' sum of "
     "(k_0/k - 1) ln(r_outer/r_inner) over the "
     f"rings, for flow towards the hole at that depth; closed pores count as {LEAST_PERMEABILITY:g} of the virgin permeability. Expanded "
     "debris at the wall counts as rock."
@@ -100,15 +105,15 @@ ROCK = (
 def profile_text(hole, rock, top):
     lines = [
         "# SI units: depth below the outer face, radius of the wall, inner and outer radius of the crushed zone, outer radius of the "
-        "dilated zone m;"
+        "dilated zone and of the impaired zone m;"
         " nan where there is no rock with pores",
         COLUMNS,
     ]
     for depth, radius in zip(hole.depth[: hole.open_rows], hole.radius[: hole.open_rows]):
-        values = [np.nan] * 4
+        values = [np.nan] * 6
         if top is not None and depth >= top and np.isfinite(radius):
             ring = rings_at(rock, hole, depth)
-            values = [*ring.crushed, ring.dilated[1], float(ring.porosity[0])]
+            values = [*ring.crushed, ring.dilated[1], float(ring.porosity[0]), ring.impaired[1], float(ring.breakage[0])]
         lines.append(",".join(f"{value:.9g}" for value in (depth, radius, *values)))
     return "\n".join(lines) + "\n"
 

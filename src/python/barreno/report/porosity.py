@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Porosity that crushing and dilation have left, its permeability, and the skin of a hole with such rock around it."""
+"""Porosity that crushing and dilation have left, broken grains, the permeability of such rock, and the skin of a hole in it."""
 
 import numpy as np
 
-LEAST_PERMEABILITY = 1e-4  # of the virgin one: of rock whose pores are closed, so that a skin stays a number
+from barreno.report.run_tables import TABLES
+
+LAW = TABLES["permeability"]  # of src/jet/rock_permeability.hpp
+LEAST_PERMEABILITY = LAW["least"]  # of the virgin one: of rock whose pores are closed, so that a skin stays a number
+IMPAIRED = LAW["impaired"]  # of the virgin permeability: rock below it counts as impaired
 
 
 def virgin_porosity(deck, material):
@@ -21,10 +25,17 @@ def permanent_porosity(frame, deck):
         return np.clip(1.0 - (1.0 - virgin) * np.exp(-frame.of_alive(["plastic_volume_strain"])), 0.0, 1.0)
 
 
-def relative_permeability(porosity, virgin):
-    """k/k_0 after Kozeny and Carman for grains of one size, k ~ phi^3/(1 - phi)^2."""
+def breakage_of(frame):
+    """Breakage of the grains; 0 where the material has no such history."""
+    return np.nan_to_num(frame.of_alive(["breakage"]))
+
+
+def relative_permeability(porosity, virgin, breakage=0.0):
+    """k/k_0 = min((phi/phi_0)^3 ((1 - phi_0)/(1 - phi))^2, 3) / (1 + s B)^2 as rock_permeability() of src/jet/rock_permeability.hpp, which
+    explains it."""
     solid = np.maximum(1.0 - porosity, 1e-12)
-    return (porosity / virgin) ** 3 * ((1.0 - virgin) / solid) ** 2
+    of_pores = np.minimum((porosity / virgin) ** 3 * ((1.0 - virgin) / solid) ** 2, LAW["most"])
+    return of_pores / (1.0 + breakage * (LAW["of_broken"] ** -0.5 - 1.0)) ** 2
 
 
 def skin(edges, permeability):

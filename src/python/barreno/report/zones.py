@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rock around the hole: rings in which crushing or dilation has changed its porosity, their permeability and skin."""
+"""Rock around the hole: rings in which crushing or dilation has changed its porosity and broken its grains, their permeability and
+skin."""
 
 import dataclasses
 
@@ -7,7 +8,7 @@ import numpy as np
 
 from barreno.report.hole import jet_particles
 from barreno.report.particles import areas_of
-from barreno.report.porosity import permanent_porosity, relative_permeability, skin, virgin_porosity
+from barreno.report.porosity import IMPAIRED, breakage_of, permanent_porosity, relative_permeability, skin, virgin_porosity
 
 HIGH = 2.0  # cells: distance of the rows of rings, and half the height over which one is averaged
 CHANGED = 0.05  # of the virgin porosity: less change is no zone
@@ -20,6 +21,7 @@ class Rings:
     depth: float  # [m]
     edges: np.ndarray  # radii, one more than there are rings; the first is the wall [m]
     porosity: np.ndarray  # nan where there is no rock
+    breakage: np.ndarray
     virgin: float
 
     @property
@@ -28,7 +30,7 @@ class Rings:
 
     @property
     def permeability(self):
-        return relative_permeability(self.porosity, self.virgin)
+        return relative_permeability(self.porosity, self.virgin, self.breakage)
 
     @property
     def skin(self):
@@ -51,12 +53,17 @@ class Rings:
         return self.reach(self.porosity > (1.0 + CHANGED) * self.virgin)
 
     @property
+    def impaired(self):
+        return self.reach(self.permeability < IMPAIRED)
+
+    @property
     def zones(self):
         """As summary.json has them half-way down the hole (`penetration.zones_in_body.NAME`)."""
         (crushed_from, crushed_to), dilated_to = self.crushed, self.dilated[1]
         return {"depth": self.depth, "radius": float(self.edges[0]), "crushed_from": crushed_from, "crushed_to": crushed_to,
-            "dilated_to": dilated_to, "least_porosity": float(np.nanmin(self.porosity)),
-            "least_permeability": float(np.nanmin(self.permeability)), "skin": self.skin}
+            "dilated_to": dilated_to, "impaired_to": self.impaired[1], "least_porosity": float(np.nanmin(self.porosity)),
+            "least_permeability": float(np.nanmin(self.permeability)), "greatest_breakage": float(np.nanmax(self.breakage)),
+            "skin": self.skin}
 
 
 class Rock:
@@ -64,7 +71,7 @@ class Rock:
 
     def __init__(self, frame, deck, face):
         shapes, of = frame.shapes
-        porosity = permanent_porosity(frame, deck)[of]
+        porosity, breakage = permanent_porosity(frame, deck)[of], breakage_of(frame)[of]
         keep = np.isfinite(porosity) & ~jet_particles(frame, deck)[of]
         centre, half = shapes[keep].mean(axis=1), 0.5 * np.ptp(shapes[keep], axis=1)
         self.r, self.depth = np.abs(centre[:, 0]), deck.direction * (centre[:, 1] - face)
@@ -74,7 +81,7 @@ class Rock:
         bulk = areas_of(shapes[keep]) * (self.r if deck.mode == "axisymmetric" else 1.0)
         # Debris lies in pieces: what is between them is no pore.
         ratio = np.maximum(np.nan_to_num(frame.of_alive(["volume_ratio"])[of][keep], nan=1.0), 1.0)
-        self.porosity, self.bulk = porosity[keep], bulk / ratio
+        self.porosity, self.breakage, self.bulk = porosity[keep], breakage[keep], bulk / ratio
         self.of, self.volume = of[keep], bulk  # particle of each shape; volume with what is between pieces, over 2 pi if axisymmetric
 
     def __len__(self):
@@ -105,9 +112,10 @@ def rings_at(rock, hole, depth, wall=None):
     row = np.abs(rock.depth - depth) < HIGH * hole.cell + rock.half_height
     bulk = rock.bulk[row] * shares(rock.depth[row], rock.half_height[row], within)[:, 0]
     in_rings = bulk[:, None] * shares(rock.r[row], rock.half_width[row], edges)
-    total, pores = in_rings.sum(axis=0), rock.porosity[row] @ in_rings
+    total = in_rings.sum(axis=0)
     with np.errstate(invalid="ignore", divide="ignore"):
-        return Rings(depth, edges, np.where(total > 0.0, pores / total, np.nan), rock.virgin)
+        porosity, breakage = (np.where(total > 0.0, values[row] @ in_rings / total, np.nan) for values in (rock.porosity, rock.breakage))
+    return Rings(depth, edges, porosity, breakage, rock.virgin)
 
 
 def chosen_depths(hole, top):

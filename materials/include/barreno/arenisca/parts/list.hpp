@@ -2,6 +2,7 @@
 #pragma once
 
 #include "barreno/arenisca/parts/accuracy.hpp"
+#include "barreno/arenisca/parts/breakage.hpp"
 #include "barreno/arenisca/parts/cap_shape.hpp"
 #include "barreno/arenisca/parts/crush_curve.hpp"
 #include "barreno/arenisca/parts/damage.hpp"
@@ -52,6 +53,7 @@ using AllParts = JoinedLists<
         Weibull,
         Damage,
         Tension,
+        Breakage,
         Heat>,
     OtherParts>::type;
 
