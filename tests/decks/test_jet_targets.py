@@ -118,9 +118,9 @@ def check_refined_hole(folder):
             hole.length, radius, one)
 
 
-def check_zones(folder):
+def check_zones(folder, *settings):
     """Rock around the hole, half-way down it: as the report finds it in particles.e, with walls of its own."""
-    found = run_quick(folder, "Time/End Time=20 us", "Output/Field Interval=20 us")[1]
+    found = run_quick(folder, "Time/End Time=20 us", "Output/Field Interval=20 us", *settings)[1]
     assert set(found["zones_in_body"]) == {"Rock"}, found["zones_in_body"]
     zones = found["zones_in_body"]["Rock"]
     assert abs(zones["depth"] - (0.0127 + 0.5 * found["channel_depth_in_body"]["Rock"])) < 1e-12, found
@@ -128,10 +128,13 @@ def check_zones(folder):
     hole = holes.measure_hole(file.frame(), deck, 0.0)
     rings = rings_at(Rock(file.frame(), deck, 0.0), hole, zones["depth"])
     assert abs(zones["radius"] - rings.edges[0]) < hole.cell / 6.0, (zones, rings.edges[0])
-    for name, radius in (("crushed_from", rings.crushed[0]), ("crushed_to", rings.crushed[1]), ("dilated_to", rings.dilated[1])):
+    for name, radius in (("crushed_from", rings.crushed[0]), ("crushed_to", rings.crushed[1]), ("dilated_to", rings.dilated[1]),
+            ("impaired_to", rings.impaired[1])):
         assert abs(zones[name] - radius) < 1.25 * hole.cell, (name, zones, radius)
     assert abs(zones["skin"] - rings.skin) < 0.1 * max(1.0, abs(rings.skin)), (zones, rings.skin)
     assert abs(zones["least_porosity"] - np.nanmin(rings.porosity)) < 0.02, (zones, rings.porosity)
+    assert abs(zones["greatest_breakage"] - np.nanmax(rings.breakage)) < 0.02, (zones, rings.breakage)
+    assert (zones["greatest_breakage"] > 0.0) == bool(settings), zones
     # With one wall what is left is how sheared particles are spread over rings.
     beside = rings_at(Rock(file.frame(), deck, 0.0), hole, zones["depth"], zones["radius"])
     assert abs(zones["skin"] - beside.skin) < 0.03 * max(1.0, abs(beside.skin)), (zones, beside.skin)
@@ -152,6 +155,7 @@ def main():
         check_liquid(folder / "liquid")
         check_refined_hole(folder)
         check_zones(folder / "zones")
+        check_zones(folder / "broken", "Materials/Sandstone/Card=berea_sandstone_damage.xml")
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ from tools import elastic_shares_table
 from tools import extremes_page
 from performance import feature_cost
 from tools import figures_page
+from tools import flow_runs_table
 from tools import main_job_table
 from fits import fit_berea
 from performance import many_ranks
@@ -72,6 +73,7 @@ PARTS = {
     "elastic_shares": elastic_shares_table.lines,
     "fidelities": figures_page.fidelities,
     "figures": figures_page.figures,
+    "flow_runs": flow_runs_table.lines,
     "laboratory_tests": laboratory_tests,
     "main_job": main_job_table.lines,
     "many_ranks.py": many_ranks.stored_part,

@@ -29,8 +29,8 @@ def strain_of(permeability):
     return e
 
 
-def hole_run(folder, permeability, length=LENGTH):
-    """A hole of the given length in rock of 30 mm, with a ring of crushed rock along all of it."""
+def hole_run(folder, permeability, length=LENGTH, breakage=None):
+    """A hole of the given length in rock of 30 mm, with a ring of crushed rock along all of it.  @param breakage  of the ring's grains"""
     centres = synthetic_run.lattice(0.0, OUTER, 0.0, LENGTH)
     end = synthetic_run.squares(centres, 0.25 * synthetic_run.CELL)
     r, y = centres[:, 0], centres[:, 1]
@@ -38,6 +38,8 @@ def hole_run(folder, permeability, length=LENGTH):
     end[gone] += np.array([0.0, -0.5])  # thrown out
     strain = np.where(r < CRUSHED, strain_of(permeability), 0.0)
     block = synthetic_run.rock(centres, end, strain)
+    if breakage is not None:
+        block.fields["breakage"] = np.where(r < CRUSHED, breakage, 0.0)
     jet = synthetic_run.jet(synthetic_run.lattice(0.0, 0.001, -0.005, -0.003), 3000.0)
     return synthetic_run.write_run(folder, [block, jet], depth=length)
 
@@ -63,6 +65,32 @@ def check_ring(folder):
         assert max(shares[1:-1]) / min(shares[1:-1]) < 1.1, shares
         assert "core flow efficiency" in said and "share of the flow by depth" in said, said
     assert (run / "flow" / "flow.png").read_bytes()[:4] == b"\x89PNG"
+
+
+def check_broken_grains(folder):
+    """The same ring with the pores of virgin rock and broken grains, whose surface S/S_0 = 1 + B (sqrt(1/0.3) - 1); and with both."""
+    far, near = math.log(OUTER / CRUSHED), math.log(CRUSHED / INNER)
+    for breakage, pores in ((1.0, 1.0), (0.5, 1.0), (0.5, 0.6)):
+        said, found = flow(hole_run(folder / f"broken{breakage}{pores}", pores, breakage=breakage))
+        k = pores / (1.0 + breakage * (math.sqrt(1.0 / 0.3) - 1.0)) ** 2
+        exact = (far + near) / (far + near / k)
+        assert abs(found["core_flow_efficiency"] / exact - 1.0) < 0.01, (found, exact)
+        assert "from the breakage of the grains" in said, said
+    whole, unknown = (flow(hole_run(folder / name, 0.6, breakage=b))[1] for name, b in (("whole", 0.0), ("unknown", None)))
+    assert {**whole, "run": ""} == {**unknown, "run": ""}, (whole, unknown)
+
+
+def check_dilated_ring(folder):
+    """Pores that dilation has opened let through three times as much as virgin ones, and no more."""
+    run = hole_run(folder / "dilated", 1.0)
+    centres = synthetic_run.lattice(0.0, OUTER, 0.0, LENGTH)
+    end = synthetic_run.squares(centres, 0.25 * synthetic_run.CELL)
+    end[centres[:, 0] < INNER] += np.array([0.0, -0.5])
+    block = synthetic_run.rock(centres, end, np.where(centres[:, 0] < CRUSHED, 0.3, 0.0))
+    jet = synthetic_run.jet(synthetic_run.lattice(0.0, 0.001, -0.005, -0.003), 3000.0)
+    _, found = flow(synthetic_run.write_run(run, [block, jet], depth=LENGTH))
+    far, near = math.log(OUTER / CRUSHED), math.log(CRUSHED / INNER)
+    assert abs(found["core_flow_efficiency"] / ((far + near) / (far + near / 3.0)) - 1.0) < 0.01, found
 
 
 def check_blind_hole(folder):
@@ -112,7 +140,7 @@ def check_faults(folder):
 def main():
     os.environ["BARRENO_PROGRAM"] = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
-        for check in (check_ring, check_blind_hole, check_cells, check_faults):
+        for check in (check_ring, check_broken_grains, check_dilated_ring, check_blind_hole, check_cells, check_faults):
             check(pathlib.Path(folder))
 
 

@@ -160,6 +160,9 @@ def check_porosity():
     """Hawkins' formula for one zone; closed pores let next to nothing through."""
     assert abs(porosity.skin(np.array([1.0, 2.0, 9.0]), np.array([0.1, 1.0])) - 9.0 * np.log(2.0)) < 1e-12
     assert porosity.relative_permeability(np.array([0.2]), 0.2) == 1.0 and porosity.relative_permeability(np.array([0.0]), 0.2) == 0.0
+    # As tests/unit/jet/test_rock_zones.cpp has it of the program.
+    assert porosity.relative_permeability(0.36, 0.2) == 3.0 and abs(porosity.relative_permeability(0.36, 0.2, 1.0) - 0.9) < 1e-15
+    assert abs(porosity.relative_permeability(0.2, 0.2, 0.5) - 4.0 / (1.0 + 0.3 ** -0.5) ** 2) < 1e-15
     assert abs(porosity.skin(np.array([1.0, 2.0]), np.array([0.0])) - (1e4 - 1.0) * np.log(2.0)) < 1e-8
 
 

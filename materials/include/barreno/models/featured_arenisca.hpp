@@ -50,7 +50,7 @@ struct FeaturedForm {
            dimension::none,
            "plastic strain of full damage in tension, for the size of the piece"}
       );
-      table.push_back({"breakage", dimension::none, "0: grains are whole; 1: fully broken"});
+      table.push_back({"breakage", dimension::none, "breakage of grains, from 0 to 1"});
     }
     if (Law::heated) {
       table.push_back({"temperature", dimension::temperature, "temperature"});

@@ -32,8 +32,8 @@ struct Breakage {
              d::stress,
              at_least(0.0),
              0.0,
-             "W_b: plastic work per volume that leaves 1/e of the way to fully broken grains. 0: "
-             "grains stay whole, as published"
+             "W_b: plastic work per volume after which 1/e of the way to fully broken grains is "
+             "left. 0: grains stay whole, as published"
          ),
          optional(
              &P::breakage_pressure,

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tables of docs/flow.md: how much flows into whole holes, from flow_runs.json."""
+import json
+import statistics
+
+from tools.case_list import RESULTS
+from tools.verification_pages import table
+
+DISTANCES = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16)  # mm from the wall, as flow_runs.py keeps them
+HALF = 1  # of the three depths
+RINGS = ("0.5", "0.25")  # mm
+
+
+def runs():
+    """{cells: {courant: what was measured}}"""
+    found = json.loads((RESULTS / "flow_runs.json").read_text())
+    return {cells: dict(sorted(of.items(), reverse=True)) for cells, of in sorted(found.items(), key=lambda one: float(one[0]))}
+
+
+def row(cells, courant, one):
+    coarse, fine = (one["flow"][ring] for ring in RINGS)
+    half = one["rock"][HALF]
+    return [cells, courant, f"{1e3 * coarse['length']:.0f}", f"{coarse['whole']['efficiency']:.3f}", f"{coarse['broken']['efficiency']:.3f}",
+        f"{coarse['broken']['skin']:.0f}", f"{fine['broken']['efficiency']:.3f}", f"{fine['broken']['skin']:.0f}", f"{half['skin']:.0f}",
+        ", ".join(f"{1e3 * ring['impaired']:.1f}" for ring in one["rock"])]  # fmt: skip
+
+
+def flow_runs():
+    head = ["cells per radius", "Courant Fraction", "hole in rock [mm]", "CFE, grains whole", "CFE", "skin", "CFE, rings of 0.25 mm",
+        "skin, the same", "skin half-way down", "impaired zone, three depths [mm]"]  # fmt: skip
+    return table(head, [row(cells, courant, one) for cells, of in runs().items() for courant, one in of.items()])
+
+
+def spread(values):
+    """Half the range over the mean."""
+    return 0.5 * (max(values) - min(values)) / statistics.mean(values)
+
+
+def sentences():
+    """What runs that should agree differ by, and what the cells change."""
+    found, lines = runs(), []
+    for cells, of in found.items():
+        whole_hole = [one["flow"]["0.5"]["broken"]["efficiency"] for one in of.values()]
+        skins = [one["flow"]["0.5"]["broken"]["skin"] for one in of.values()]
+        half = [one["rock"][HALF]["skin"] for one in of.values()]
+        lines.append(f"- {cells} cells per radius, {len(of)} runs that should agree: CFE {statistics.mean(whole_hole):.3f} +- "
+            f"{spread(whole_hole):.0%}, its skin {statistics.mean(skins):.0f} +- {spread(skins):.0%}; the skin half-way down "
+            f"{statistics.mean(half):.0f} +- {spread(half):.0%}.")  # fmt: skip
+    means = [statistics.mean(one["flow"]["0.5"]["broken"]["efficiency"] for one in of.values()) for of in found.values()]
+    lines.append(f"- From {list(found)[0]} to {list(found)[-1]} cells per radius the CFE changes by {means[-1] / means[0] - 1.0:+.0%}.")
+    return lines
+
+
+def flow_distances():
+    """Permeability half-way down against the distance from the wall: the mean of the runs of one size of cells."""
+    head = ["cells per radius", "", *(f"{distance} mm" for distance in DISTANCES)]
+    rows = []
+    for cells, of in runs().items():
+        for name, words in (("porosity", "porosity"), ("breakage", "breakage"), ("whole", "k / k_0, grains whole"),
+                ("permeability", "k / k_0")):  # fmt: skip
+            columns = zip(*(one["rock"][HALF][name] for one in of.values()))
+            rows.append([cells, words, *(f"{statistics.mean(values):.2f}" for values in columns)])
+    return table(head, rows)
+
+
+def lines():
+    return flow_runs() + ["", *sentences(), "", *flow_distances()]
