@@ -90,7 +90,7 @@ def main():
         for courant in options.courant:
             settings = {**SETTINGS, "Jet/Cells Per Radius": cells, "Step/Courant Fraction": courant}
             keep(cells, courant, measured(run_deck(options.barreno.resolve(), "perforation.xml", settings)))
-    pass  # write_pages()
+    write_pages()
     return 0
 
 

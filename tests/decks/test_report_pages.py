@@ -47,7 +47,8 @@ def check_page(run):
         assert words in page, f"the page lacks {words}"
     assert (run / "report" / "report.pdf").stat().st_size > 50_000
     lines = (run / "report" / "profile.csv").read_text().splitlines()
-    assert lines[1] == "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall,impaired_to,breakage_at_wall" and len(lines) > 20, lines[:2]
+    columns = "depth,radius,crushed_from,crushed_to,dilated_to,porosity_at_wall,impaired_to,breakage_at_wall"
+    assert lines[1] == columns and len(lines) > 20, lines[:2]
 
 
 def check_paths(run):

@@ -20,9 +20,9 @@ def runs():
 def row(cells, courant, one):
     coarse, fine = (one["flow"][ring] for ring in RINGS)
     half = one["rock"][HALF]
-    return [cells, courant, f"{1e3 * coarse['length']:.0f}", f"{coarse['whole']['efficiency']:.3f}", f"{coarse['broken']['efficiency']:.3f}",
-        f"{coarse['broken']['skin']:.0f}", f"{fine['broken']['efficiency']:.3f}", f"{fine['broken']['skin']:.0f}", f"{half['skin']:.0f}",
-        ", ".join(f"{1e3 * ring['impaired']:.1f}" for ring in one["rock"])]  # fmt: skip
+    return [cells, courant, f"{1e3 * coarse['length']:.0f}", f"{coarse['whole']['efficiency']:.3f}",
+        f"{coarse['broken']['efficiency']:.3f}", f"{coarse['broken']['skin']:.0f}", f"{fine['broken']['efficiency']:.3f}",
+        f"{fine['broken']['skin']:.0f}", f"{half['skin']:.0f}", ", ".join(f"{1e3 * ring['impaired']:.1f}" for ring in one["rock"])]
 
 
 def flow_runs():
@@ -47,12 +47,18 @@ def sentences():
             f"{spread(whole_hole):.0%}, its skin {statistics.mean(skins):.0f} +- {spread(skins):.0%}; the skin half-way down "
             f"{statistics.mean(half):.0f} +- {spread(half):.0%}.")  # fmt: skip
     means = [statistics.mean(one["flow"]["0.5"]["broken"]["efficiency"] for one in of.values()) for of in found.values()]
+    zones = [1e3 * ring["impaired"] for of in found.values() for one in of.values() for ring in one["rock"]]
+    least = {cells: min(min(ring["porosity"]) for one in of.values() for ring in one["rock"]) for cells, of in found.items()}
+    lines.append(f"- The zone below 70 % of the virgin permeability is {min(zones):.0f} to {max(zones):.0f} mm thick, "
+        f"{statistics.mean(zones):.1f} mm in the mean of all depths and runs.")  # fmt: skip
+    lines.append("- The lowest porosity of a ring is " + " and ".join(f"{value:.3f} with {cells}" for cells, value in least.items())
+        + " cells per radius.")  # fmt: skip
     lines.append(f"- From {list(found)[0]} to {list(found)[-1]} cells per radius the CFE changes by {means[-1] / means[0] - 1.0:+.0%}.")
     return lines
 
 
 def flow_distances():
-    """Permeability half-way down against the distance from the wall: the mean of the runs of one size of cells."""
+    """Rock half-way down against the distance from the wall: the mean of the runs of one size of cells."""
     head = ["cells per radius", "", *(f"{distance} mm" for distance in DISTANCES)]
     rows = []
     for cells, of in runs().items():
@@ -64,4 +70,4 @@ def flow_distances():
 
 
 def lines():
-    return flow_runs() + ["", *sentences(), "", *flow_distances()]
+    return flow_runs() + ["", *sentences(), "", "Half-way down the hole, against the distance from the wall:", "", *flow_distances()]

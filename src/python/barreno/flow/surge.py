@@ -112,8 +112,9 @@ def widened(rings, gone):
     wall = np.sqrt(rings.wall**2 + rings_gone.sum(axis=1))
     on_axis = np.flatnonzero(gone[:, 0])
     end = rings.depths[on_axis[-1] + 1] - rings.depths[0] if len(on_axis) else 0.0
-    return dataclasses.replace(rings, hole=hole, wall=wall, hole_length=max(rings.hole_length, float(end)),
-        porosity=np.where(gone, np.nan, rings.porosity), breakage=np.where(gone, np.nan, rings.breakage), permeability=np.where(gone, 0.0, rings.permeability))
+    porosity, breakage = (np.where(gone, np.nan, values) for values in (rings.porosity, rings.breakage))
+    return dataclasses.replace(rings, hole=hole, wall=wall, hole_length=max(rings.hole_length, float(end)), porosity=porosity,
+        breakage=breakage, permeability=np.where(gone, 0.0, rings.permeability))
 
 
 def refuse_all(folder, former, rings, boundary, pressure):

@@ -78,7 +78,8 @@ def zone_table(zones):
             "" if none else f"{one['crushed_to'] / MILLI:.1f}",
             "none" if one["dilated_to"] == one["radius"] else f"{one['dilated_to'] / MILLI:.1f}",
             "none" if one["impaired_to"] == one["radius"] else f"{one['impaired_to'] / MILLI:.1f}",
-            f"{100.0 * one['least_porosity']:.1f}", f"{one['greatest_breakage']:.2f}", f"{one['least_permeability']:.2f}", f"{one['skin']:+.2f}",
+            f"{100.0 * one['least_porosity']:.1f}", f"{one['greatest_breakage']:.2f}", f"{one['least_permeability']:.2f}",
+            f"{one['skin']:+.2f}",
         ))  # fmt: skip
     return heads, rows
 
@@ -93,10 +94,10 @@ ROCK = (
     "one cell wide and four "
     f"cells high; a zone is crushed or dilated where it differs from the virgin porosity by more than {100.0 * CHANGED:.0f} % of that. "
     "Permeability follows Kozeny and Carman, "
-    f"k ~ phi^3/(S (1 - phi))^2, at most {LAW['most']:g} times the virgin one by its porosity; the surface S of the grains grows with their "
-    f"breakage, so that fully broken ones let {LAW['of_broken']:g} through of what whole ones do. A card without Breakage energy has whole "
-    f"grains: crushed rock then lets less through than computed. Rock is impaired below {IMPAIRED:g} of the virgin permeability. The skin is Hawkins' sum of "
-    "(k_0/k - 1) ln(r_outer/r_inner) over the "
+    f"k ~ phi^3/(S (1 - phi))^2, at most {LAW['most']:g} times the virgin one by its porosity; the surface S of the grains grows with "
+    f"their breakage, so that fully broken ones let {LAW['of_broken']:g} through of what whole ones do. A card without Breakage energy "
+    "has whole grains: crushed rock then lets less through than computed. "
+    f"Rock is impaired below {IMPAIRED:g} of the virgin permeability. The skin is Hawkins' sum of (k_0/k - 1) ln(r_outer/r_inner) over the "
     f"rings, for flow towards the hole at that depth; closed pores count as {LEAST_PERMEABILITY:g} of the virgin permeability. Expanded "
     "debris at the wall counts as rock."
 )
