@@ -235,13 +235,26 @@ def check_divided(barreno, folder, _plain):
         assert not wrong, f"{ranks}: {wrong}"
 
 
+def check_broken_grains(barreno, folder, _plain):
+    """Breakage of the rock's grains goes on as it was, on other ranks too."""
+    card = ("--set", "Materials/Sandstone/Card=berea_sandstone_damage.xml")
+    whole = folder / "broken"
+    must_work(program(barreno, 1, "run", DECK, "--out", whole, *SHORT, *card))
+    most = json.loads((whole / "summary.json").read_text())["penetration"]["zones_in_body"]["Rock"]["greatest_breakage"]
+    assert most > 0.5, most
+    for ranks in (1, 2):
+        run = resumed(barreno, ranks, at_previous(pathlib.Path(shutil.copytree(whole, folder / f"broken_on_{ranks}"))))
+        wrong = different_fields(whole, run) + different_files(whole, run) + different_sums(whole, run)
+        assert not wrong, f"{ranks}: {wrong}"
+
+
 def main():
     barreno = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         plain = straight(barreno, folder / "plain")
         for check in (check_signals, check_warnings, check_full_disk, check_two_processes, check_killed_group, check_damage, check_refusals,
-                check_longer, check_ranks, check_start, check_divided):
+                check_longer, check_ranks, check_start, check_divided, check_broken_grains):
             check(barreno, folder, plain)
             print(check.__name__, "holds")
 

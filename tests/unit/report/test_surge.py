@@ -175,7 +175,8 @@ def check_gradient(_):
     radii, depths = np.linspace(0.0, 0.02, 21), np.linspace(0.0, 0.01, 21)
     hole = np.zeros((20, 20), bool)
     hole[:4, :7] = True
-    rings = Rings(radii, depths, np.where(hole, np.nan, VIRGIN), np.where(hole, 0.0, 1.0), hole, VIRGIN, np.zeros(20), 0.002, None)
+    porosity, breakage = np.where(hole, np.nan, VIRGIN), np.where(hole, np.nan, 0.0)
+    rings = Rings(radii, depths, porosity, breakage, np.where(hole, 0.0, 1.0), hole, VIRGIN, np.zeros(20), 0.002, None)
     r, z = rings.middles
     across, along = np.log(r / 0.007)[None, :] + 0.0 * z[:, None], 50.0 * (z - 0.002)[:, None] + 0.0 * r[None, :]
     found = {name: gradient_of(rings, Flow(p, None, 0.0, "", 0)) for name, p in (("across", across), ("along", along))}
