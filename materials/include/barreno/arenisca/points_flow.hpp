@@ -284,14 +284,14 @@ BARRENO_FUNCTION void finish_flow(
   const ShearIn<R, Law> dep = R(0.5 / p.used.shear) * (p.s - a.end.s);
   a.end.shear_strain = n.shear_strain + real::sqrt(R((4.0 / 3.0) * squared(dep)));
   const R third = devp * (1.0 / 3.0);
-  const R end_shear = 2.0 * dot(a.end.s, dep), start_shear = 2.0 * f.scale * dot(f.s, dep);
-  const R end_work = r.x * third + end_shear;
-  const R start_work = f.x * third + start_shear;
+  const R end_work = r.x * third + 2.0 * dot(a.end.s, dep);
+  const R start_work = f.x * third + 2.0 * f.scale * dot(f.s, dep);
   const R mean_work = 0.5 * (start_work + end_work);
   a.plastic_work = real::select(mean_work >= 0.0, mean_work, end_work);
-  if constexpr (Law::damaged)
-    a.breaking_work =
-        rock.breakage.work(R(0.5 * (f.x + r.x)), devp, R(0.5 * (start_shear + end_shear)));
+  if constexpr (Law::damaged) {
+    const R mean_x = 0.5 * (f.x + r.x);
+    a.breaking_work = rock.breakage.work(mean_x, devp, R(a.plastic_work - mean_x * third));
+  }
   a.moduli = rock.elasticity.moduli_at(r.x, rock.elasticity.seen_from(p.evp, r.evp));
   if constexpr (Law::wet) {
     a.pores = pores_after(rock, step, p, r);
