@@ -168,10 +168,12 @@ BARRENO_ALIKE FoundOf<R> find_cracks(const Law& law, const MaskOf<R>& asked, con
   const R whole = law.tension.cutoff * c.coherence;
   PrincipalOf<R> principal = principal_of(asked, c.s);
   f.moduli = law.elasticity.moduli_at(c.x, c.evp);
+  press_moduli(law, c, c.x, f.moduli);
   f.bulk = f.moduli.bulk;
   if constexpr (has_poroplastic_fluid<Law>) {
-    const double per_matrix = law.constituents.per_matrix;
-    f.bulk = f.bulk * (1.0 + per_matrix * fall_of(law.constituents, c.pores, f.bulk));
+    const Constituents& k = law.constituents;
+    const R per_matrix = compliances_at(k, c.pores, c.x).whole;
+    f.bulk = f.bulk * (1.0 + per_matrix * fall_of(k, c.pores, c.x, f.bulk));
   }
   CracksOf<R> cracks;
   cracks.twice_shear = 2.0 * f.moduli.shear;
@@ -207,22 +209,36 @@ BARRENO_FUNCTION void count_opening(const FoundOf<R>& f, CutOf<R>& c) {
   c.plastic_work = real::select(f.torn, c.plastic_work + f.work, c.plastic_work);
 }
 
-/// Pores that an opening widens, at a volume strain of the whole.
-/// @param grains  how the rest of the skeleton takes it
-/// @return rise of the pressure [stress]
-template <class R, class Law>
-BARRENO_FUNCTION R widen_pores(
-    const Law& law,
-    const MaskOf<R>& torn,
-    const GrainsOf<R>& grains,
-    const R& volume_strain,
-    const R& guess,
-    PoresOf<R>& pores
-) {
-  const FilledOf<R> f = fill_pores(law.constituents, pores, grains, volume_strain, guess);
+/// Pores that an opening has widened.
+/// @return rise of their pressure [stress]
+template <class R>
+BARRENO_FUNCTION R
+take_pores(const MaskOf<R>& torn, const FilledOf<R>& widened, PoresOf<R>& pores) {
   const R before = pores.pressure;
-  assign_where(torn, f.end, pores);
+  assign_where(torn, widened.end, pores);
   return pores.pressure - before;
+}
+
+/// Pores that cracks widen before the skeleton strains: of that only the grains change, by the
+/// pressure of the fluid.
+/// @param x           I1 of the effective stress [stress]
+/// @param per_matrix  1/Km there [1/stress]
+/// @param sum         opening
+template <class R>
+BARRENO_FUNCTION FilledOf<R> fill_cracks(
+    const Constituents& c,
+    const PoresOf<R>& n,
+    const R& x,
+    const R& per_matrix,
+    const R& bulk,
+    const R& sum
+) {
+  const R guess = with_compliances(c, n, x, [&](const auto& k) {
+    return R(R{} - sum / storage_of(k, n, bulk));
+  });
+  if (!c.change) return fill_pores(c, n, elastic_grains(c, n, bulk, R{}), sum, guess);
+  const ChangingGrainsOf<R> grains(c, n, x, R(x * (-1.0 / 3.0)), R(bulk * per_matrix));
+  return fill_changing_pores(c, n, grains, sum, guess);
 }
 
 /// Takes an opening from the state at the end of a step, at fixed strain.
@@ -237,10 +253,12 @@ BARRENO_FUNCTION void take_opening(
   R missed = fall, fall_of_I1 = fall;
   if constexpr (has_poroplastic_fluid<Law>) {
     const Constituents& k = law.constituents;
-    const R guess = R{} - fall_of(k, c.pores, f.moduli.bulk) * f.sum;
-    const GrainsOf<R> grains = loaded_grains(k, c.pores, R(-fall));
-    const R rise = widen_pores(law, f.torn, grains, R{}, guess, c.pores);
-    missed = fall + (3.0 * k.per_matrix) * f.moduli.bulk * rise;
+    const R guess = R{} - fall_of(k, c.pores, c.x, f.moduli.bulk) * f.sum;
+    const R x_end = c.x - fall, before = c.pores.pressure;
+    const R rise =
+        take_pores(f.torn, fill_loaded_pores(k, c.pores, c.x, x_end, R{}, guess), c.pores);
+    const R per_matrix = per_matrix_between(k, R(before + c.pores.pressure), R(c.x + x_end));
+    missed = fall + R(3.0 * per_matrix) * f.moduli.bulk * rise;
     fall_of_I1 = fall + 3.0 * rise;
   }
   const R work = 0.5 * (fall_of_I1 * (third * dv) + contract(shear, de));
@@ -302,7 +320,7 @@ BARRENO_FUNCTION MaskOf<R> open_before(
 ) {
   constexpr double third = 1.0 / 3.0;
   const ModuliOf<R>& m = n.elastic.moduli;
-  c.x = n.x + 3.0 * m.bulk * skeleton_guess<R>(rock, n, m.bulk);
+  c.x = n.x + 3.0 * m.bulk * skeleton_guess<R>(rock, n, n.x, m.bulk);
   c.s = n.s + R(2.0 * m.shear) * n.de;
   c.evp = n.evp;
   const R bound = tension_bound(law, c.damage, c.coherence);
@@ -312,12 +330,12 @@ BARRENO_FUNCTION MaskOf<R> open_before(
   const FoundOf<R> f = find_cracks(law, near, c);
   if (!real::any(f.torn)) return f.torn;
   if constexpr (has_poroplastic_fluid<Law>) {
-    // The cracks fill first; of the skeleton only the grains change, by the fluid's pressure.
+    // The cracks fill first.
     const Constituents& k = law.constituents;
-    const GrainsOf<R> grains = elastic_grains(k, n.pores, m.bulk, R{});
-    const R guess = R{} - f.sum / storage_of(k, n.pores, m.bulk);
-    const R rise = widen_pores(law, f.torn, grains, f.sum, guess, n.pores);
-    n.x = n.x + (3.0 * k.per_matrix) * m.bulk * rise;
+    const R per_matrix = compliances_at(k, n.pores, n.x).whole;
+    const FilledOf<R> widened = fill_cracks(k, n.pores, n.x, per_matrix, m.bulk, f.sum);
+    const R rise = take_pores(f.torn, widened, n.pores);
+    n.x = n.x + R(3.0 * per_matrix) * m.bulk * rise;
   }
   const Sym3Of<R> shear = f.strain - isotropic(R(third * f.sum));
   const Sym3Of<R> missed = R(2.0 * f.moduli.shear) * shear + isotropic(R(f.moduli.bulk * f.sum));
@@ -326,7 +344,9 @@ BARRENO_FUNCTION MaskOf<R> open_before(
   assign_where(f.torn, missed, c.missed);
   count_opening(f, c);
   n.evp = c.evp;
-  assign_where(f.torn, rock.elasticity.state_at(n.x, n.evp), n.elastic);
+  ElasticStateOf<R> elastic = rock.elasticity.state_at(n.x, n.evp);
+  press_moduli(rock, n, n.x, elastic.moduli);
+  assign_where(f.torn, elastic, n.elastic);
   return f.torn;
 }
 
