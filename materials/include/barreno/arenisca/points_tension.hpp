@@ -352,83 +352,12 @@ BARRENO_FUNCTION MaskOf<R> open_before(
 
 /// The work of the strain of cracks that have opened before the law's own step: the mean stress at
 /// the ends of the step times what the law has not been given [stress].
-/// @param dv, de  of the step
-/// @param given_dv, given_de  what the law has been given
 /// @param twice_mean  total stress before the step and after it
-template <class R>
-BARRENO_FUNCTION R work_before(
-    const R& dv,
-    const Sym3Of<R>& de,
-    const R& given_dv,
-    const Sym3Of<R>& given_de,
-    const Sym3Of<R>& twice_mean
-) {
-  const Sym3Of<R> shear = de - given_de;
-  return 0.5 * (trace(twice_mean) * ((1.0 / 3.0) * (dv - given_dv)) + contract(twice_mean, shear));
-}
-
-/// Whether the end of a whole step exceeds the bound.
-/// @param c  what histories tell
-template <class R, class Law>
-BARRENO_FUNCTION MaskOf<R> exceeds_bound(
-    const Law& law,
-    const MaskOf<R>& asked,
-    const WholeStepOf<R, Law>& whole,
-    const R& evp,
-    CutOf<R> c
-) {
-  c.x = whole.x;
-  c.s = whole.s;
-  c.evp = evp;
-  if constexpr (Law::wet) c.pores = whole.pores;
-  return find_cracks(law, asked, c).torn;
-}
-
-/// Whole steps that are elastic on the limit surface but may exceed the bound: those whose cracks
-/// leave an elastic step are done, as steps that flow would do them.
-/// @param[in,out] whole  their end
-/// @param[in,out] p      histories and works, the elastic one per current volume
-/// @return where more is to do
 template <class R, class Law, class Points>
-BARRENO_ALIKE MaskOf<R> open_whole_steps(
-    const Law& law,
-    const MaskOf<R>& near,
-    const StartOf<R, Law>& n,
-    WholeStepOf<R, Law>& whole,
-    Points& p
-) {
-  // Overstress makes more of such a step.
-  if constexpr (Law::rated) return near;
-  auto& h = p.history;
-  PointsOutcome<R>& out = p.outcome;
-  CutOf<R> c = cut_of<R>(h);
-  c.shear_strain = h.equivalent_plastic_strain;
-  const MaskOf<R> torn = exceeds_bound(law, near, whole, n.evp, c);
-  if (!real::any(torn)) return torn;
-  StartOf<R, Law> left = n;
-  MaskOf<R> done = open_before<R>(rock_of<R>(law, h), law, torn, left, c);
-  const RockOf<R, Law> rock = rock_with_damage<R>(law, h, c.damage);
-  WholeStepOf<R, Law> rest;
-  PointsOutcome<R> own;
-  done = done & step_elastically(rock, left, done, rest, own);
-  done = done & !exceeds_bound(law, done, rest, left.evp, c);
-  if (!real::any(done)) return torn;
-  R pressures{};
-  if constexpr (Law::wet) pressures = n.pores.pressure + rest.pores.pressure;
-  const R mean = (1.0 / 3.0) * (n.x + rest.x) - pressures;
-  const R work = work_before(n.dv, n.de, left.dv, left.de, n.s + rest.s + isotropic(mean));
-  const R elastic_work = own.elastic_work + c.elastic_work + work;
-  out.elastic_work = real::select(done, elastic_work, out.elastic_work);
-  const R mean_ratio = 0.5 * (p.increment.volume_ratio_begin + p.increment.volume_ratio_end);
-  out.plastic_work = real::select(done, mean_ratio * c.plastic_work, out.plastic_work);
-  out.longitudinal_modulus = real::select(done, own.longitudinal_modulus, out.longitudinal_modulus);
-  whole.x = real::select(done, rest.x, whole.x);
-  assign_where(done, rest.s, whole.s);
-  assign_pores<Law>(done, rest, whole);
-  h.damage = real::select(done, c.damage, h.damage);
-  h.plastic_volume_strain = real::select(done, left.evp, h.plastic_volume_strain);
-  h.equivalent_plastic_strain = real::select(done, c.shear_strain, h.equivalent_plastic_strain);
-  return torn & !done;
+BARRENO_FUNCTION R
+work_before(const Points& p, const StepOf<R, Law>& step, const Sym3Of<R>& twice_mean, const R& dv) {
+  const Sym3Of<R> shear = deviator(p.increment.strain) - step.strain;
+  return 0.5 * (trace(twice_mean) * ((1.0 / 3.0) * (dv - step.dv)) + contract(twice_mean, shear));
 }
 
 /// The bound on principal tension at the end of steps.
@@ -449,9 +378,7 @@ BARRENO_FUNCTION Sym3Of<R> cut_step(
 ) {
   R dv = trace(p.increment.strain);
   if constexpr (Law::heated) dv = dv - p.history.thermal_expansion;
-  const Sym3Of<R> de = deviator(p.increment.strain);
-  const R work = work_before(dv, de, R(step.dv), step.strain, begin + end.stress);
-  step.elastic_work = step.elastic_work + work;
+  step.elastic_work = step.elastic_work + work_before(p, step, begin + end.stress, dv);
   end.elastic_work = step.elastic_work;
   const R bound = tension_bound(law, step.damage, step.coherence);
   const MaskOf<R> near = near_bound(law, good, bound, step.state.x, s);
@@ -467,7 +394,7 @@ BARRENO_FUNCTION Sym3Of<R> cut_step(
   c.pores = end.pores;
   const FoundOf<R> f = find_cracks(law, near, c);
   if (!real::any(f.torn)) return {};
-  take_opening(law, f, dv, de, c);
+  take_opening(law, f, dv, deviator(p.increment.strain), c);
   step.damage = c.damage;
   step.state.x = c.x;
   step.state.evp = c.evp;

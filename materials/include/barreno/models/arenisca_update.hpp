@@ -229,6 +229,7 @@ BARRENO_FUNCTION void break_grains(
 }
 
 /// End of steps that flow, from the stress and strain increment that they began with.
+/// @param[in,out] step  at its end; the bound on tension may change that
 /// @return where the step is left to update()
 template <class R, class Law, class Points>
 BARRENO_ALIKE MaskOf<R> end_step(
@@ -332,8 +333,7 @@ BARRENO_ALIKE StepOf<R, Law> begin_rock(const Law& law, const MaskOf<R>& flows, 
     CutOf<R> c = cut_of<R>(p.history);
     c.shear_strain = p.history.equivalent_plastic_strain;
     if constexpr (Law::rated) c.taken = share_taken(relaxation_in(law.T1, law.T2, p.increment));
-    if (law.tension.cutoff > 0.0) open_before<R>(rock, law, flows, n, c);
-    if (real::any(c.damage != p.history.damage))
+    if (law.tension.cutoff > 0.0 && real::any(open_before<R>(rock, law, flows, n, c)))
       rock = rock_with_damage<R>(law, p.history, c.damage);
     step = begin_step(rock, n, c.shear_strain, flows);
     step.strain = n.de;
@@ -389,8 +389,7 @@ BARRENO_FUNCTION MaskOf<R> start_rock(const Law& law, const MaskOf<R>& sound, Po
       damage = damage_of_elastic(law, elastic, n, R(0.5 * (n.x + whole.x)), p);
     if (law.tension.cutoff > 0.0) {
       const R bound = tension_bound(law, damage, p.history.coherence);
-      const MaskOf<R> near = near_bound(law, elastic, bound, whole.x, whole.s);
-      if (real::any(near)) elastic = elastic & !open_whole_steps(law, near, n, whole, p);
+      elastic = elastic & !near_bound(law, elastic, bound, whole.x, whole.s);
     }
     if constexpr (Law::rated) p.history.damage = real::select(elastic, damage, p.history.damage);
   }
