@@ -41,7 +41,7 @@ BARRENO_FUNCTION Moduli moduli_after(const Rock& rock, const PointState& n, cons
   const double change = p.x - n.x;
   const bool is_short =
       std::fabs(change) * (std::fabs(n.x) + rock.elasticity.B2) <= short_step * n.x * n.x;
-  if (n.x >= 0.0 || Elasticity::dilated(n.evp) || !is_short)
+  if (n.x >= 0.0 || rock.elasticity.dilated(n.evp) || !is_short)
     return rock.elasticity.moduli_at(p.x, n.evp);
   const double value = p.term.value + change * (p.term.slope + 0.5 * change * p.term.curvature);
   return rock.elasticity.moduli(p.x, value, p.coupling);
@@ -122,7 +122,7 @@ attempt_substep(const Rock& rock, const PointState& n, double dv, const Sym3& de
   const Prediction p = predict(rock, step, n.evp);
   if (rock.surface.contains(p.x, p.J2, cap, count)) return accept_elastic(rock, step, p);
   const ScalarAttempt a = flow_plastically(rock, step, p, count);
-  if (!is_at_jump(rock, n.evp) || !Elasticity::dilated(a.end.evp)) return a;
+  if (!is_at_jump(rock, n.evp) || !rock.elasticity.dilated(a.end.evp)) return a;
   return begin_to_dilate(rock, step, p, count);
 }
 

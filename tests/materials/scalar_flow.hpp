@@ -144,7 +144,7 @@ BARRENO_FUNCTION void finish(
   a.plastic_work = mean_work >= 0.0 ? mean_work : end_work;
   a.elastic_work =
       0.5 * ((n.x + r.x) * (step.dv - devp) / 3.0 + contract(n.s + a.end.s, step.de - dep));
-  a.moduli = rock.elasticity.moduli_at(r.x, Elasticity::seen_from(p.evp, r.evp));
+  a.moduli = rock.elasticity.moduli_at(r.x, rock.elasticity.seen_from(p.evp, r.evp));
 }
 
 /// Weight of (q_tr - q)^2 beside (x_tr - x)^2, from where a substep starts: 9 beta^2 K/G.
