@@ -18,8 +18,19 @@ from tools.write_pages import write_pages
 
 STORED = pathlib.Path(__file__).resolve().parent / "results" / "main_job.json"
 DECKS = ("perforation_120us.xml", "perforation.xml")
+RING = 0.5e-3  # m: cells of the flow
 KEPT = ("depth", "probed_depth", "depth_in_body", "entrance_diameter_in_body", "channel_volume", "channel_radius_mid", "zones_in_body",
-    "depth_error", "probed_depth_error", "rest")  # fmt: skip
+    "depth_error", "probed_depth_error", "channel_volume_error", "least_known", "rest")  # fmt: skip
+
+
+def efficiency_of(folder):
+    """Core flow efficiency of the whole hole, as `barreno flow` finds it."""
+    import barreno
+    from barreno.flow.rings import rings_of
+    from barreno.flow.solve import solve
+
+    rings = rings_of(barreno.open(folder), None, RING)
+    return solve(rings, rings.permeability, "radial").rate / solve(rings, rings.virgin_mobility, "radial").rate
 
 
 def measured(barreno, deck):
@@ -27,7 +38,7 @@ def measured(barreno, deck):
     finished = run_deck(barreno, deck, {"Output/Field Interval": "0 us"}, ranks=2)
     summary = finished.summary
     found = {name: summary["penetration"][name] for name in KEPT if name in summary["penetration"]}
-    return {**found, "end": summary["time"], "seconds": summary["wall_seconds"], "bytes": summary["peak_resident_bytes"],
+    return {**found, "efficiency": efficiency_of(finished.folder), "end": summary["time"], "seconds": summary["wall_seconds"], "bytes": summary["peak_resident_bytes"],
         "lost": between_particles_and_grid(finished)}  # fmt: skip
 
 

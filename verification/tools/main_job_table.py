@@ -15,6 +15,25 @@ def interval(depth, error):
     return f"{1e3 * depth / (1.0 + error['high']):.0f} to {1e3 * depth / (1.0 + error['low']):.0f} mm"
 
 
+def volume(one):
+    """Of the hole, and where it lies by its measured error."""
+    text, error = f"{1e6 * one['channel_volume']:.1f} cm3", one.get("channel_volume_error")
+    if not error or "unknown" in error:
+        return text, "unknown"
+    low, high = (1e6 * one["channel_volume"] / (1.0 + error[end]) for end in ("high", "low"))
+    return text, f"{low:.1f} to {high:.1f} cm3"
+
+
+def least_known(one):
+    """What the ranges of the rock's card change, over the depth and the volume."""
+    found = one.get("least_known", {}).get("range_of", {})
+    return "; ".join(
+        f"{name}, which changes the depth by {100 * at['depth']['at_low']:+.0f} to {100 * at['depth']['at_high']:+.0f} %, the volume by "
+        f"{100 * at['channel_volume']['at_low']:+.0f} to {100 * at['channel_volume']['at_high']:+.0f} %"
+        for name, at in found.items()
+    ) or "not measured"  # fmt: skip
+
+
 def zones(one):
     """What has become of the rock half-way down."""
     found = one["zones_in_body"]["Rock"]
@@ -28,15 +47,16 @@ def answers(one):
     return [
         f"{1e3 * one['depth']:.0f} mm", interval(one["depth"], one.get("depth_error")),
         f"{1e3 * one['probed_depth']:.0f} mm", interval(one["probed_depth"], one.get("probed_depth_error")),
-        f"{1e3 * entrance['Casing']:.1f} and {1e3 * entrance['Rock']:.1f} mm", f"{1e6 * one['channel_volume']:.1f} cm3",
-        crushed, skin, f"{100.0 * one['lost']:.1f} %", f"{one['seconds']:.0f} s, {1e-6 * one['bytes']:.0f} MB",
+        f"{1e3 * entrance['Casing']:.1f} and {1e3 * entrance['Rock']:.1f} mm", *volume(one),
+        crushed, skin, f"{one['efficiency']:.2f}" if "efficiency" in one else "not measured", f"{100.0 * one['lost']:.1f} %", least_known(one), f"{one['seconds']:.0f} s, {1e-6 * one['bytes']:.0f} MB",
     ]  # fmt: skip
 
 
 QUESTIONS = (
     "how deep: the tip", "its interval, by the cells", "how deep: as wide as the jet's widest slug", "its interval, by the cells",
-    "what hole: entrance in the casing and in the rock", "what hole: volume", "how damaged: half-way down", "how much it flows: skin there",
-    "how sure: energy lost by the method", "time and memory, two ranks",
+    "what hole: entrance in the casing and in the rock", "what hole: volume", "its interval, by the cells", "how damaged: half-way down",
+    "how much it flows: skin there", "how much it flows: core flow efficiency of the whole hole, fed from its side",
+    "how sure: energy lost by the method", "what is known worst: of the rock", "time and memory, two ranks",
 )  # fmt: skip
 
 
