@@ -38,8 +38,8 @@ def measured(barreno, deck):
     finished = run_deck(barreno, deck, {"Output/Field Interval": "0 us"}, ranks=2)
     summary = finished.summary
     found = {name: summary["penetration"][name] for name in KEPT if name in summary["penetration"]}
-    return {**found, "efficiency": efficiency_of(finished.folder), "end": summary["time"], "seconds": summary["wall_seconds"], "bytes": summary["peak_resident_bytes"],
-        "lost": between_particles_and_grid(finished)}  # fmt: skip
+    return {**found, "efficiency": efficiency_of(finished.folder), "end": summary["time"], "seconds": summary["wall_seconds"],
+        "bytes": summary["peak_resident_bytes"], "lost": between_particles_and_grid(finished)}  # fmt: skip
 
 
 def main():

@@ -43,12 +43,14 @@ def zones(one):
 
 def answers(one):
     crushed, skin = zones(one)
+    efficiency = f"{one['efficiency']:.2f}" if "efficiency" in one else "not measured"
     entrance = one["entrance_diameter_in_body"]
     return [
         f"{1e3 * one['depth']:.0f} mm", interval(one["depth"], one.get("depth_error")),
         f"{1e3 * one['probed_depth']:.0f} mm", interval(one["probed_depth"], one.get("probed_depth_error")),
         f"{1e3 * entrance['Casing']:.1f} and {1e3 * entrance['Rock']:.1f} mm", *volume(one),
-        crushed, skin, f"{one['efficiency']:.2f}" if "efficiency" in one else "not measured", f"{100.0 * one['lost']:.1f} %", least_known(one), f"{one['seconds']:.0f} s, {1e-6 * one['bytes']:.0f} MB",
+        crushed, skin, efficiency, f"{100.0 * one['lost']:.1f} %", least_known(one),
+        f"{one['seconds']:.0f} s, {1e-6 * one['bytes']:.0f} MB",
     ]  # fmt: skip
 
 
