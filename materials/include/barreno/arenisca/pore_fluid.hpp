@@ -131,7 +131,7 @@ BARRENO_FUNCTION double closing_stress(
   // Softest rock throughout closes it first.
   double above = -3.0 * gap / (1.0 / soft - 1.0 / fluid.matrix);
   if (elasticity.dilated(e)) return above;  // of constant modulus
-  constexpr double farthest = 1e4;           // in matrix moduli
+  constexpr double farthest = 1e4;          // in matrix moduli
   double f_above = closure(above);
   if (f_above <= 0.0) return above;
   double below = 2.0 * above, f_below = closure(below);

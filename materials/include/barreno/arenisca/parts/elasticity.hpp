@@ -60,10 +60,49 @@ struct Elasticity {
     double grain_stiffening, transition_strain, transition_start, transition_end;
     int dilated_moduli;
   };
+  static auto numbers_of_grains() {
+    using P = Parameters;
+    namespace d = dimension;
+    using Numbers = decltype(ParameterTable<Parameters>::numbers);
+    return Numbers{
+        optional(
+            &P::grain_stiffening,
+            "Grain stiffening",
+            d::none,
+            at_least(0.0),
+            0.0,
+            "B': dK/dp of rock whose grains bear the pressure. 0: K tends to B0 + B1, as "
+            "published"
+        ),
+        optional(
+            &P::transition_strain,
+            "Transition strain",
+            d::none,
+            at_least(0.0),
+            0.0,
+            "D: logarithmic volume strain by which grains turn into a denser phase. 0: none"
+        ),
+        optional(
+            &P::transition_start,
+            "Transition start",
+            d::stress,
+            at_least(0.0),
+            0.0,
+            "p_s: mean pressure at which the transition begins"
+        ),
+        optional(
+            &P::transition_end,
+            "Transition end",
+            d::stress,
+            at_least(0.0),
+            0.0,
+            "p_e: mean pressure at which it is complete"
+        )};
+  }
   static ParameterTable<Parameters> parameter_table() {
     using P = Parameters;
     namespace d = dimension;
-    return {
+    ParameterTable<Parameters> table = {
         {required(
              &P::B0, "B0", d::stress, above(0.0), "bulk modulus at zero pressure and in tension"
          ),
@@ -83,46 +122,15 @@ struct Elasticity {
          ),
          optional(&P::G2, "G2", d::none, any(), 0.0, "rise of Poisson's ratio under pressure"),
          optional(&P::G3, "G3", d::none, any(), 0.0, "published name without effect: must be 0"),
-         optional(&P::G4, "G4", d::none, any(), 0.0, "published name without effect: must be 0"),
-         optional(
-             &P::grain_stiffening,
-             "Grain stiffening",
-             d::none,
-             at_least(0.0),
-             0.0,
-             "B': dK/dp of rock whose grains bear the pressure. 0: K tends to B0 + B1, as "
-             "published"
-         ),
-         optional(
-             &P::transition_strain,
-             "Transition strain",
-             d::none,
-             at_least(0.0),
-             0.0,
-             "D: logarithmic volume strain by which grains turn into a denser phase. 0: none"
-         ),
-         optional(
-             &P::transition_start,
-             "Transition start",
-             d::stress,
-             at_least(0.0),
-             0.0,
-             "p_s: mean pressure at which the transition begins"
-         ),
-         optional(
-             &P::transition_end,
-             "Transition end",
-             d::stress,
-             at_least(0.0),
-             0.0,
-             "p_e: mean pressure at which it is complete"
-         )},
+         optional(&P::G4, "G4", d::none, any(), 0.0, "published name without effect: must be 0")},
         {{&P::dilated_moduli,
           "Dilated moduli",
           {"constant", "pressure"},
           0,
           "moduli of dilated rock: B0 and G0, as published, or those of its pressure, so that the "
           "onset of dilation creates no work"}}};
+    for (const auto& entry : numbers_of_grains()) table.numbers.push_back(entry);
+    return table;
   }
   static std::string check(const Parameters& p) {
     std::string problem;
