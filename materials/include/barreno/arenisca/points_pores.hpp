@@ -169,7 +169,8 @@ struct TangentGrainsOf : GrainsOf<R> {
 template <class R>
 struct FilledOf {
   PoresOf<R> end;
-  R rise;  ///< of the pressure [stress]
+  R rise;              ///< of the pressure [stress]
+  MaskOf<R> unsolved;  ///< no pressure was found
 };
 
 /// Keeps Newton's method for volumes that are not convex in the pressure between the pressures that
@@ -190,8 +191,9 @@ struct BracketOf {
 
 /// Pressure and volumes at the end of a volume strain.
 ///
-/// The volume that grains and fluid of constant moduli want falls with p and is convex: Newton's
-/// method converges from any start, kept at p = 0, where gas comes in.
+/// The volume that grains and fluid of constant moduli want is convex in p and falls: Newton's
+/// method converges from any start, kept at p = 0, where gas comes in. Beside much gas it may rise
+/// with p (docs/method.md, 10.3): then the lowest pressure counts, and the search goes there.
 /// @param grains  GrainsOf, ChangingGrainsOf or TangentGrainsOf
 /// @param guess of the rise of the pressure [stress]
 template <class R, class Grains>
@@ -227,7 +229,7 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
     }
     const R excess = solid_here + fluid_here - volume;
     const R softness = fluid_here * per_fluid - solid_here * here.slope;
-    R newton = rise + excess / softness;
+    R newton = real::select(softness > 0.0, rise + excess / softness, least);
     if constexpr (Grains::change) newton = bracket.next(rise, excess, softness, c.fluid);
     const R next = real::select(dry, rise, larger_of(newton, least));
     const R step = next - rise;
@@ -243,6 +245,7 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
   const R per_volume = 1.0 / volume;
   FilledOf<R> f;
   f.rise = rise;
+  f.unsolved = open;
   f.end.pressure = real::larger(R(n.pressure + rise), 0.0);
   f.end.solid = real::smaller(R(solid * per_volume), 1.0);
   const R room = 1.0 - f.end.solid;

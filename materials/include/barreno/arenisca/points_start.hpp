@@ -52,12 +52,14 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
   const MiddleOf<R> middle = used_moduli(rock, n, strain, cap, n.elastic);
   p.used = middle.moduli;
   if constexpr (Law::wet) p.pores = n.pores;
+  [[maybe_unused]] MaskOf<R> unsolved = none_of<R>();
   if constexpr (has_poroplastic_fluid<Law>) {
     const Constituents& c = rock.constituents;
     const R guess = (strain - n.dv) * c.matrix;
     const R& bulk = p.used.bulk;
     const FilledOf<R> f = fill_elastic_pores(c, n.pores, n.x, middle.per_matrix, bulk, n.dv, guess);
     p.pores = f.end;
+    unsolved = f.unsolved;
     strain = n.dv + f.rise * middle.per_matrix;
   }
   p.x = n.x + 3.0 * p.used.bulk * strain;
@@ -66,6 +68,7 @@ BARRENO_FUNCTION WholeStepOf<R, Law> predict_whole_step(
   // Inside at the weakest angle is inside: most points need no angle.
   if constexpr (Law::angled) J2 = J2 * (1.0 / (rock.weakest * rock.weakest));
   p.inside = contains(rock.surface, asked, p.x, J2, cap);
+  if constexpr (has_poroplastic_fluid<Law>) p.inside = p.inside & !unsolved;
   return p;
 }
 

@@ -35,8 +35,9 @@ struct PressurePath {};
 template <class R>
 struct PressurePath<R, true> {
   R rise{}, fall{};
-  R per_matrix{};      ///< 1/Km on the way [1/stress]
-  PoresOf<R> elastic;  ///< pores at the prediction
+  R per_matrix{};                     ///< 1/Km on the way [1/stress]
+  PoresOf<R> elastic;                 ///< pores at the prediction
+  MaskOf<R> unsolved = none_of<R>();  ///< no pressure was found there
 };
 
 /// Elastic prediction of a substep, and the moduli at its start and as used.
@@ -131,6 +132,7 @@ BARRENO_FUNCTION void predict_pressure(
     const FilledOf<R> f = fill_elastic_pores(c, n, step.n.x, p.per_matrix, bulk, step.dv, guess);
     p.rise = f.rise;
     p.elastic = f.end;
+    p.unsolved = f.unsolved;
     const R x_end = step.n.x + 3.0 * bulk * (step.dv + f.rise * p.per_matrix);
     p.fall = fall_of(c, f.end, x_end, bulk);
   }

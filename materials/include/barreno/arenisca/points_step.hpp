@@ -170,6 +170,7 @@ BARRENO_FUNCTION AttemptOf<R, Law> attempt_points(
     if (real::any(jumps)) begin_to_dilate(rock, jumps, step, p, choose, a);
   }
   a.elastic = inside;
+  if constexpr (has_poroplastic_fluid<Law>) a.refused = a.refused | p.unsolved;
   if (!real::any(asked & inside)) return a;
   ModuliOf<R> moduli = rock.elasticity.moduli_after(MaskOf<R>(asked & inside), p.begin, p.x);
   press_elastic_moduli(rock, p, moduli);
