@@ -170,7 +170,7 @@ template <class R>
 struct FilledOf {
   PoresOf<R> end;
   R rise;              ///< of the pressure [stress]
-  MaskOf<R> unsolved;  ///< no pressure was found
+  MaskOf<R> unsolved;  ///< where no pressure was found
 };
 
 /// Keeps Newton's method for volumes that are not convex in the pressure between the pressures that
@@ -192,8 +192,8 @@ struct BracketOf {
 /// Pressure and volumes at the end of a volume strain.
 ///
 /// The volume that grains and fluid of constant moduli want is convex in p and falls: Newton's
-/// method converges from any start, kept at p = 0, where gas comes in. Beside much gas it may rise
-/// with p (docs/method.md, 10.3): then the lowest pressure counts, and the search goes there.
+/// method converges from any start, kept at p = 0, where gas comes in. In rubble with much gas the
+/// volume rises with p. The lowest pressure counts there, so the search goes back to p = 0.
 /// @param grains  GrainsOf, ChangingGrainsOf or TangentGrainsOf
 /// @param guess of the rise of the pressure [stress]
 template <class R, class Grains>
@@ -239,7 +239,9 @@ BARRENO_FUNCTION FilledOf<R> fill_pores(
     // To first order beyond what was evaluated.
     solid = real::select(open, R(solid_here * (1.0 + here.slope * step)), solid);
     fluid = real::select(open, R(fluid_here * (1.0 - step * per_fluid)), fluid);
-    open = open & (left * left > nothing);
+    // The volume is too large and rises: no pressure makes it fit.
+    const MaskOf<R> stuck = (excess > 0.0) & !(dry | (softness > 0.0));
+    open = open & ((left * left > nothing) | stuck);
     if (!real::any(open)) break;
   }
   const R per_volume = 1.0 / volume;

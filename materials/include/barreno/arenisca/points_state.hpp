@@ -37,7 +37,7 @@ struct PressurePath<R, true> {
   R rise{}, fall{};
   R per_matrix{};                     ///< 1/Km on the way [1/stress]
   PoresOf<R> elastic;                 ///< pores at the prediction
-  MaskOf<R> unsolved = none_of<R>();  ///< no pressure was found there
+  MaskOf<R> unsolved = none_of<R>();  ///< where no pressure was found
 };
 
 /// Elastic prediction of a substep, and the moduli at its start and as used.
