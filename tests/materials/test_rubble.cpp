@@ -248,5 +248,36 @@ TEST(Rubble, ThePressureIsTheLowestThatFillsThePores) {
   EXPECT_GT(gas, 1000);
 }
 
+/// A stress of absurd tension comes back to the vertex by the plastic strain that takes it away.
+/// Steps that no strain can have made are refused, and leave the point as it was.
+template <class Model>
+void expect_bounded_end() {
+  const Parameters p = Sample<Model>::parameters();
+  const Model model(p, 2300.0);
+  const double vertex = p.PEAKI1 / 3.0;
+  for (const double gain : {1.0, 19.0, 21.0, 2.3e7}) {
+    SCOPED_TRACE(gain);
+    const Sym3 begin = isotropic(vertex + gain * p.B0);
+    Sym3 stress = begin;
+    auto h = model.initial_history();
+    // Dilated, so that the moduli do not change.
+    h.plastic_volume_strain = 1.0;
+    const Outcome outcome = model.update(Increment{}, stress, h);
+    if (gain > 20.0) {
+      EXPECT_EQ(outcome.status, Status::substep_limit);
+      EXPECT_EQ(stress.xx, begin.xx);
+      EXPECT_EQ(h.plastic_volume_strain, 1.0);
+    } else {
+      EXPECT_EQ(outcome.status, Status::ok);
+      EXPECT_NEAR(stress.xx, vertex, 1e-12 * begin.xx);
+      EXPECT_NEAR(h.plastic_volume_strain, 1.0 + gain, 1e-12 * gain);
+    }
+  }
+}
+TEST(Rubble, AStepBeyondAnyStrainIsRefused) {
+  expect_bounded_end<Arenisca>();
+  expect_bounded_end<ScatteredArenisca>();
+}
+
 }  // namespace
 }  // namespace barreno::test

@@ -162,9 +162,8 @@ struct UpdateStress {
     R ratio = increment.volume_ratio_end;
     if constexpr (opens_voids<Model>) ratio = Model::expanded_ratio(ratio, update.history);
     const Mask expanded = here & (ratio > largest_expansion);
-    // Not every model checks its input: motion and works that are not finite fail here.
-    const Mask sound = outcome.sound & (increment.volume_ratio_end > 0.0) &
-                       real::is_finite(R(outcome.elastic_work + outcome.plastic_work));
+    // Not every model checks its input: motion that is not finite fails here.
+    const Mask sound = outcome.sound & (increment.volume_ratio_end > 0.0);
     const Mask good = here & (!expanded) & sound;
 
     group.put_tensor(

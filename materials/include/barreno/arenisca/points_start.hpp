@@ -9,16 +9,25 @@ namespace barreno::arenisca {
 // Start of a step of one or several points: elastic steps, which need no more, and what the others
 // start from.
 
+/// Norm of a strain increment beyond which input is absurd.
+constexpr double largest_increment = 10.0;
+
 /// NaN, infinite or absurd input, see Arenisca::sound_input().
 template <class R>
 BARRENO_FUNCTION MaskOf<R> sound_points(
     const IncrementOf<Sym3Of<R>>& i, const Sym3Of<R>& stress, const R& evp, const R& shear_strain
 ) {
-  constexpr double largest_increment = 10.0;
   const R sum =
       contract(stress, stress) + evp + shear_strain + i.volume_ratio_begin + i.volume_ratio_end;
   return (contract(i.strain, i.strain) <= largest_increment * largest_increment) &
          real::is_finite(sum);
+}
+
+/// Whether a step can have made this plastic volume strain: no more than the largest increment
+/// holds. Where a step ends far beyond, its works are large parts that cancel.
+template <class R>
+BARRENO_FUNCTION MaskOf<R> sound_end(const R& evp_begin, const R& evp_end) {
+  return real::abs(R(evp_end - evp_begin)) <= 2.0 * largest_increment;
 }
 
 /// Elastic prediction of whole steps.

@@ -235,8 +235,9 @@ template <class R, class Law, class Points>
 BARRENO_ALIKE MaskOf<R> end_step(
     const Law& rock, const MaskOf<R>& flows, StepOf<R, Law>& step, Points& p
 ) {
-  const MaskOf<R> good = flows & !step.refused;
   auto& h = p.history;
+  const MaskOf<R> good =
+      flows & (!step.refused) & sound_end<R>(h.plastic_volume_strain, step.state.evp);
   R mean_stress = step.state.x * (1.0 / 3.0);
   if constexpr (Law::wet) mean_stress = mean_stress - step.pores.pressure;
   StepEnd<R> end{
@@ -282,7 +283,7 @@ BARRENO_ALIKE MaskOf<R> end_step(
   out.plastic_work = real::select(good, mean_ratio * end.plastic_work, out.plastic_work);
   out.longitudinal_modulus = real::select(good, step.modulus, out.longitudinal_modulus);
   if constexpr (Law::heated) heat_points<R>(rock, good, mean_before, p);
-  return flows & step.refused;
+  return flows & !good;
 }
 
 /// The strain that overstress from before gives up in a step, in the plane of the step.
