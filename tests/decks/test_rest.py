@@ -142,7 +142,7 @@ def check_plan(barreno, time):
     said = must_work(program(barreno, 1, "check", DECK, *words())).stdout
     line = next(line for line in said.splitlines() if line.startswith("Rest "))
     predicted = float(line.split("predicted at ")[1].split(" s:")[0])
-    assert 0.3 * time < predicted < 1.5 * time and "3 slugs of at least 600 m/s" in line, (line, time)
+    assert 0.3 * time < predicted < 1.5 * time and "3 slugs of at least 1200 m/s" in line, (line, time)
     assert f"Time      to rest, predicted at {predicted:.3g} s" in said and "ends the run before" not in said, said
 
 
