@@ -49,7 +49,7 @@ SHOTS = {  # what differs from the deck: settings, and factors of the jet's velo
     "jet thinner by a fifth": ({}, {"radius": 0.8}),
     "jet faster by a tenth, no confinement": ({"Confinement": ""}, {"velocity": 1.1}),
     "jet slower by a seventh, 138 MPa": ({"Confinement/Pressure": "138 MPa"}, {"velocity": 6.0 / 7.0}),
-    "losses returned to metals": ({"Step/Return Losses": "true"}, {}),
+    "losses returned": ({"Step/Return Losses": "true"}, {}),
     "continuous jet": (CONTINUOUS, {}),
     "continuous jet, wet rock": ({**CONTINUOUS, **WET}, {}),
     "thinned jet": ({"Jet/Kind": "thinned"}, {}),

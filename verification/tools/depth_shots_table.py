@@ -9,7 +9,7 @@ from tools.depth_shots import KINDS, SHOTS, STEP, TIMES, widest_slug
 
 DECK = "the deck"
 # Shots that the intervals are made from; others try them.
-MADE_FROM = (DECK, "no confinement", "no steel casing", "losses returned to metals")
+MADE_FROM = (DECK, "no confinement", "no steel casing", "losses returned")
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 WHAT = ("depth", "probed depth", "volume")
@@ -152,7 +152,7 @@ def scatter_table():
     return lines
 
 
-LATER, RETURNED = "the deck, to 560 us", "losses returned to metals"
+LATER, RETURNED = "the deck, to 560 us", "losses returned"
 HEAD = """## Depth at rest
 
 The hole of `input_xml/perforation.xml` at {rest} us, by the size of the cells: its tip, how far it is as wide as the widest slug of the jet,

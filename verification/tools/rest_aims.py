@@ -72,7 +72,7 @@ def loss_rows(runs):
     """*balanced* gives losses back; what that changes beside it."""
     cells, _ = FIDELITIES["balanced"]
     returned = shots_of.shots()[shots_of.RETURNED][cells]
-    for one, words in ((returned, "*balanced*, which returns losses to metals"), (runs[cells], "the same without Return Losses")):
+    for one, words in ((returned, "*balanced*, which returns losses"), (runs[cells], "the same without Return Losses")):
         verdict = "holds" if one["lost"] <= LOST else "missed" if one is returned else "not the default"
         yield row("at rest, energy lost over energy put in", words, f"<= {LOST:g}", f"{one['lost']:.3g}", verdict)
 
