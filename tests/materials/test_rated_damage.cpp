@@ -65,7 +65,7 @@ std::vector<Sym3> random_strains(unsigned seed, int count) {
 
 /// tau -> 0: the form without rate, to round-off, with its damage and its heat.
 template <class Rated, class Plain>
-void expect_slow_limit(const Parameters& p) {
+void expect_slow_limit(const Parameters& p, double bound = 1e-11) {
   const Rated rated(with_rate(p, instant), density);
   const Plain plain(p, density);
   double damage = 0.0, warmest = 0.0;
@@ -77,12 +77,12 @@ void expect_slow_limit(const Parameters& p) {
       ASSERT_FALSE(a.apply(strain, 1e-6, 1e6).failed());
       ASSERT_FALSE(b.apply(strain, 1e-6, 1e6).failed());
       peak = std::max(peak, norm(b.stress));
-      ASSERT_LE(norm(a.stress - b.stress), 1e-11 * peak) << seed;
-      ASSERT_NEAR(a.history.damage, b.history.damage, 1e-11) << seed;
-      ASSERT_NEAR(a.last.plastic_work, b.last.plastic_work, 1e-11 * peak * norm(strain));
-      ASSERT_NEAR(a.last.elastic_work, b.last.elastic_work, 1e-11 * peak * norm(strain));
+      ASSERT_LE(norm(a.stress - b.stress), bound * peak) << seed;
+      ASSERT_NEAR(a.history.damage, b.history.damage, bound) << seed;
+      ASSERT_NEAR(a.last.plastic_work, b.last.plastic_work, bound * peak * norm(strain));
+      ASSERT_NEAR(a.last.elastic_work, b.last.elastic_work, bound * peak * norm(strain));
       if constexpr (Plain::Law::heated) {
-        ASSERT_NEAR(a.history.temperature / b.history.temperature, 1.0, 1e-11);
+        ASSERT_NEAR(a.history.temperature / b.history.temperature, 1.0, bound);
         warmest = std::max(warmest, b.history.temperature);
       }
     }
@@ -97,15 +97,17 @@ TEST(RatedDamage, SlowIsTheFormWithoutRate) {
   const Parameters dry = Sample<HeatedArenisca>::parameters();
   expect_slow_limit<RatedHeatedArenisca, HeatedArenisca>(dry);
   expect_slow_limit<RatedHeatedArenisca, DamagedArenisca>(without_heat(dry));
-  // Grains that stiffen, and a bound on tension: one at a time, since the round-off of both adds
-  // up.
+  // Of grains that stiffen the pressure is solved again under the overstress, to 1e-13 of the
+  // volume: 1e-3 Pa.
   Parameters stiffening = Sample<HeatedWetArenisca>::parameters(), bounded = stiffening;
   stiffening.tension_cutoff = 0.0;
   bounded.grain_stiffening = bounded.fluid_stiffening = 0.0;
   bounded.transition_strain = bounded.transition_start = bounded.transition_end = 0.0;
   for (const Parameters& wet : {stiffening, bounded}) {
-    expect_slow_limit<RatedHeatedWetArenisca, HeatedWetArenisca>(wet);
-    expect_slow_limit<RatedHeatedWetArenisca, DamagedWetArenisca>(without_heat(wet));
+    SCOPED_TRACE(wet.tension_cutoff > 0.0 ? "bounded" : "stiffening");
+    const double bound = wet.grain_stiffening > 0.0 ? 1e-10 : 1e-11;
+    expect_slow_limit<RatedHeatedWetArenisca, HeatedWetArenisca>(wet, bound);
+    expect_slow_limit<RatedHeatedWetArenisca, DamagedWetArenisca>(without_heat(wet), bound);
   }
 }
 
