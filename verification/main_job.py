@@ -25,12 +25,13 @@ KEPT = ("depth", "probed_depth", "depth_in_body", "entrance_diameter_in_body", "
 
 def efficiency_of(folder):
     """Core flow efficiency of the whole hole, as `barreno flow` finds it."""
-    import barreno
     from barreno.flow.rings import rings_of
     from barreno.flow.solve import solve
+    from barreno.report.run import opened
 
-    rings = rings_of(barreno.open(folder), None, RING)
-    return solve(rings, rings.permeability, "radial").rate / solve(rings, rings.virgin_mobility, "radial").rate
+    with opened(folder) as run:
+        rings = rings_of(run, None, RING)
+        return solve(rings, rings.permeability, "radial").rate / solve(rings, rings.virgin_mobility, "radial").rate
 
 
 def measured(barreno, deck):
