@@ -20,7 +20,7 @@ STORED = pathlib.Path(__file__).resolve().parent / "results" / "main_job.json"
 DECKS = ("perforation_120us.xml", "perforation.xml")
 RING = 0.5e-3  # m: cells of the flow
 KEPT = ("depth", "probed_depth", "depth_in_body", "entrance_diameter_in_body", "channel_volume", "channel_radius_mid", "zones_in_body",
-    "depth_error", "probed_depth_error", "channel_volume_error", "least_known", "rest")  # fmt: skip
+    "depth_error", "probed_depth_error", "channel_volume_error", "least_certain", "rest")  # fmt: skip
 
 
 def efficiency_of(folder):

@@ -5,7 +5,7 @@
 #include "jet/channel.hpp"
 #include "jet/divided_error.hpp"
 #include "jet/estimate.hpp"
-#include "jet/rock_ranges.hpp"
+#include "jet/range_effects.hpp"
 #include "output/progress.hpp"
 #include "output/share_numbers.hpp"
 #include "state/balance.hpp"
@@ -125,7 +125,7 @@ void add_hole_lines(
     );
   }
   if (!penetration.met) return;
-  const std::string least = least_known_sentence(least_known(scene));
+  const std::string least = least_certain_sentence(least_certain(scene));
   if (!least.empty()) lines.push_back(least);
 }
 

@@ -8,7 +8,7 @@
 #include "jet/channel.hpp"
 #include "jet/divided_error.hpp"
 #include "jet/estimate.hpp"
-#include "jet/rock_ranges.hpp"
+#include "jet/range_effects.hpp"
 #include "output/share_numbers.hpp"
 #include "scene/input_speeds.hpp"
 #include "state/balance.hpp"
@@ -195,12 +195,12 @@ void put_penetration(
   }
 }
 
-/// What is known worst of the rock, and what that does to the hole.
-void put_least_known(Json& json, const Scene& scene) {
-  const LeastKnown least = least_known(scene);
+/// What is least certain of the rock, and what that does to the hole.
+void put_least_certain(Json& json, const Scene& scene) {
+  const LeastCertain least = least_certain(scene);
   if (least.worst.empty()) return;
-  Json& all = json["penetration"]["least_known"];
-  all["sentence"] = least_known_sentence(least);
+  Json& all = json["penetration"]["least_certain"];
+  all["sentence"] = least_certain_sentence(least);
   all["body"] = as_utf8(least.body);
   const auto put = [](Json& to, const RangeEffect::Change& change) {
     to["at_low"] = number(change.at_low);
@@ -448,7 +448,7 @@ std::string summary_text(
   if (const auto path = recorded_path(scene, run.monitor))
     put_penetration(json, scene, *path, state.clock.time, penetration);
   put_zones(json, scene, summary.zones);
-  if (penetration.met) put_least_known(json, scene);
+  if (penetration.met) put_least_certain(json, scene);
   if (summary.rest) put_rest(json, *summary.rest);
   put_ledger(json, totals.ledger, "balances.");
   put_material_energies(json, scene, totals.ledger);

@@ -24,9 +24,9 @@ def volume(one):
     return text, f"{low:.1f} to {high:.1f} cm3"
 
 
-def least_known(one):
+def least_certain(one):
     """What the ranges of the rock's card change, over the depth and the volume."""
-    found = one.get("least_known", {}).get("range_of", {})
+    found = one.get("least_certain", {}).get("range_of", {})
     return "; ".join(
         f"{name}, which changes the depth by {100 * at['depth']['at_low']:+.0f} to {100 * at['depth']['at_high']:+.0f} %, the volume by "
         f"{100 * at['channel_volume']['at_low']:+.0f} to {100 * at['channel_volume']['at_high']:+.0f} %"
@@ -49,7 +49,7 @@ def answers(one):
         f"{1e3 * one['depth']:.0f} mm", interval(one["depth"], one.get("depth_error")),
         f"{1e3 * one['probed_depth']:.0f} mm", interval(one["probed_depth"], one.get("probed_depth_error")),
         f"{1e3 * entrance['Casing']:.1f} and {1e3 * entrance['Rock']:.1f} mm", *volume(one),
-        crushed, skin, efficiency, f"{100.0 * one['lost']:.1f} %", least_known(one),
+        crushed, skin, efficiency, f"{100.0 * one['lost']:.1f} %", least_certain(one),
         f"{one['seconds']:.0f} s, {1e-6 * one['bytes']:.0f} MB",
     ]  # fmt: skip
 
@@ -58,7 +58,7 @@ QUESTIONS = (
     "how deep: the tip", "its interval, by the cells", "how deep: as wide as the jet's widest slug", "its interval, by the cells",
     "what hole: entrance in the casing and in the rock", "what hole: volume", "its interval, by the cells", "how damaged: half-way down",
     "how much it flows: skin there", "how much it flows: core flow efficiency of the whole hole, fed from its side",
-    "how sure: energy lost by the method", "what is known worst: of the rock", "time and memory, two ranks",
+    "how sure: energy lost by the method", "how sure: least certain of the rock", "time and memory, two ranks",
 )  # fmt: skip
 
 

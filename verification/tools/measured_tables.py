@@ -74,7 +74,7 @@ def divided_errors():
     return table(head, ("what", "cells_per_radius", "value", "low", "high"), rows)
 
 
-def rock_ranges():
+def range_effects():
     head = (
         "# What the range of one parameter of a card changes in perforation.xml: depth, depth of the hole as wide as the jet, and volume,\n"
         "# over those of the card less 1, at both ends; of each card, those that change the volume most first.\n"
@@ -92,5 +92,5 @@ def rock_ranges():
 
 def files():
     """{file: text}"""
-    makers = (depths_of_cells, steady_errors, length_errors, divided_errors, rock_ranges)
+    makers = (depths_of_cells, steady_errors, length_errors, divided_errors, range_effects)
     return {f"src/measured/{make.__name__}.csv": make() for make in makers}

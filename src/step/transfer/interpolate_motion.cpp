@@ -14,25 +14,6 @@
 namespace barreno {
 namespace {
 
-/// What the particles of a batch lose to the grid is found from.
-template <class M>
-struct LossColumns {
-  static constexpr bool space = M::dimensions == 3;
-  BatchColumns<space ? 6 : 4> stress;
-  BatchColumns<space ? 0 : (M::hoop ? 5 : 4)> deformation;  ///< as of GivenColumns
-  BatchColumns<space ? 4 : 0> rotation;
-  BatchColumns<1> viscous_pressure, volume, mass;
-
-  KOKKOS_INLINE_FUNCTION LossColumns(const Particles& particles, const BatchRows& rows) {
-    stress.load(particles.stress, rows);
-    deformation.load(particles.deformation_gradient, rows);
-    rotation.load(particles.rotation, rows);
-    viscous_pressure.load(particles.viscous_pressure, rows);
-    volume.load(particles.volume, rows);
-    mass.load(particles.mass, rows);
-  }
-};
-
 /// Gradient of the mean velocity of the nodes over a step, and the mean square of what the nodes'
 /// increments are off the particle's, one array per number.
 template <unsigned D>
@@ -120,10 +101,10 @@ struct InterpolateMotion {
       double dt, const BatchRows& rows, const NodesOfBatch<M::dimensions>& n
   ) const {
     alignas(64) double heat[rows_per_batch];
-    const LossColumns<M> given(particles, rows);
+    const StressColumns<M> given(particles, rows);
     BARRENO_IVDEP
     for (int k = 0; k < rows_per_batch; ++k) {
-      const Sym3 s = rotated_stress<M>(given.stress, given.deformation, given.rotation, k);
+      const Sym3 s = given.space_stress(k);
       const double q = given.viscous_pressure(k);
       double rate = (s.xx - q) * n.gradient[0][k] + s.xy * n.gradient[1][k];
       if constexpr (dimensions == 2) {

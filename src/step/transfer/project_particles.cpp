@@ -17,23 +17,11 @@ using Sums = Pack<sum_components>;
 
 /// What the particles of a batch give to the grid.
 template <class M>
-struct GivenColumns {
-  static constexpr unsigned dimensions = M::dimensions;
-  static constexpr bool space = dimensions == 3;
-  static constexpr unsigned in_plane = M::hoop ? 5 : 4;  ///< components of F
-  BatchColumns<space ? 6 : 4> stress;
-  BatchColumns<space ? 0 : in_plane> deformation;  ///< of which the rotation in the plane follows
-  BatchColumns<space ? 4 : 0> rotation;
-  BatchColumns<1> viscous_pressure, volume, mass;
-  BatchColumns<dimensions> velocity;
+struct GivenColumns : StressColumns<M> {
+  BatchColumns<M::dimensions> velocity;
 
-  KOKKOS_INLINE_FUNCTION GivenColumns(const Particles& particles, const BatchRows& rows) {
-    stress.load(particles.stress, rows);
-    deformation.load(particles.deformation_gradient, rows);
-    rotation.load(particles.rotation, rows);
-    viscous_pressure.load(particles.viscous_pressure, rows);
-    volume.load(particles.volume, rows);
-    mass.load(particles.mass, rows);
+  KOKKOS_INLINE_FUNCTION GivenColumns(const Particles& particles, const BatchRows& rows)
+      : StressColumns<M>(particles, rows) {
     velocity.load(particles.velocity, rows);
   }
 };
@@ -50,8 +38,7 @@ struct ContributionsInPlane {
   alignas(sizeof(Sums)) double value[sum_components];
 
   KOKKOS_FORCEINLINE_FUNCTION void find(const GivenColumns<M>& particles, int p) {
-    const Sym3 stress =
-        rotated_stress<M>(particles.stress, particles.deformation, particles.rotation, p);
+    const Sym3 stress = particles.space_stress(p);
     const double q = particles.viscous_pressure(p);
     const double volume = particles.volume(p);
     const double m = particles.mass(p);
@@ -93,9 +80,7 @@ struct Contributions<ThreeDimensional> {
   double more[sum_components];
 
   KOKKOS_FORCEINLINE_FUNCTION void find(const GivenColumns<ThreeDimensional>& particles, int p) {
-    const Sym3 stress = rotated_stress<ThreeDimensional>(
-        particles.stress, particles.deformation, particles.rotation, p
-    );
+    const Sym3 stress = particles.space_stress(p);
     const double q = particles.viscous_pressure(p);
     const double volume = particles.volume(p);
     const double m = particles.mass(p);

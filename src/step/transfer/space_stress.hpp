@@ -2,6 +2,8 @@
 #pragma once
 
 #include "shape/kinematics.hpp"
+#include "shape/support_batch.hpp"
+#include "state/particles.hpp"
 
 namespace barreno {
 
@@ -17,5 +19,29 @@ KOKKOS_FORCEINLINE_FUNCTION Sym3 rotated_stress(
   }
   return rotate(load_rotation<M>(deformation, rotation, p), unrotated);
 }
+
+/// What the internal forces of the particles of a batch are found from.
+template <class M>
+struct StressColumns {
+  static constexpr bool space = M::dimensions == 3;
+  static constexpr unsigned in_plane = M::hoop ? 5 : 4;  ///< components of F
+  BatchColumns<space ? 6 : 4> stress;
+  BatchColumns<space ? 0 : in_plane> deformation;  ///< of which the rotation in the plane follows
+  BatchColumns<space ? 4 : 0> rotation;
+  BatchColumns<1> viscous_pressure, volume, mass;
+
+  KOKKOS_INLINE_FUNCTION StressColumns(const Particles& particles, const BatchRows& rows) {
+    stress.load(particles.stress, rows);
+    deformation.load(particles.deformation_gradient, rows);
+    rotation.load(particles.rotation, rows);
+    viscous_pressure.load(particles.viscous_pressure, rows);
+    volume.load(particles.volume, rows);
+    mass.load(particles.mass, rows);
+  }
+  /// Cauchy stress of the k-th row in the space frame; without its artificial viscosity.
+  KOKKOS_FORCEINLINE_FUNCTION Sym3 space_stress(int k) const {
+    return rotated_stress<M>(stress, deformation, rotation, k);
+  }
+};
 
 }  // namespace barreno

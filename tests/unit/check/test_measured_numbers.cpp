@@ -7,7 +7,7 @@
 #include "check/update_row.hpp"
 #include "jet/depth_tables.hpp"
 #include "jet/estimate.hpp"
-#include "jet/rock_ranges.hpp"
+#include "jet/range_effects.hpp"
 #include "output/result_numbers.hpp"
 #include "state/bodies/body_particles.hpp"
 #include "support/scenes.hpp"
@@ -70,11 +70,11 @@ TEST(MeasuredNumbers, RangesOfRockAreInstalledInWhole) {
   EXPECT_LT(effects.rows[0].volume.at_high, -0.3);
   EXPECT_GT(effects.rows[0].volume.at_low, 0.05);
   const Copy copy;
-  copy.replace("rock_ranges.csv", "berea_sandstone_bounded; STREN; ", "STREN; ");
+  copy.replace("range_effects.csv", "berea_sandstone_bounded; STREN; ", "STREN; ");
   EXPECT_TRUE(says(read_range_effects(copy.folder()).problem, "is no card, parameter, range"));
-  copy.replace("rock_ranges.csv", "# end of", "# end after");
+  copy.replace("range_effects.csv", "# end of", "# end after");
   EXPECT_TRUE(says(read_range_effects(copy.folder()).problem, "cannot be used"));
-  copy.remove("rock_ranges.csv");
+  copy.remove("range_effects.csv");
   EXPECT_TRUE(says(read_range_effects(copy.folder()).problem, "are not installed"));
 }
 

@@ -79,9 +79,9 @@ def probe_rows(depth, penetration):
     return [("as wide as the jet's widest slug", f"to {depth['probed_depth'] / MILLI:.2f} mm" + error_words(error))]
 
 
-def least_known_rows(penetration):
+def least_certain_rows(penetration):
     """The ranges of the rock's card that change the hole most; of cards that were measured."""
-    sentence = penetration.get("least_known", {}).get("sentence")
+    sentence = penetration.get("least_certain", {}).get("sentence")
     return [("of the rock", sentence)] if sentence else []
 
 
@@ -96,7 +96,7 @@ def depth_rows(summary, depth):
         *probe_rows(depth, summary.get("penetration", {})),
         ("channel radius at half depth", f"{depth['channel_radius_mid'] / MILLI:.2f} mm"),
         *entrance_rows(summary.get("penetration", {})),
-        *least_known_rows(summary.get("penetration", {})),
+        *least_certain_rows(summary.get("penetration", {})),
         ("jet mass inside", f"{depth['jet_mass_inside'] * 1e3:.3f} g"),
     ]
 

@@ -26,7 +26,7 @@ KINDS = {  # what commands reckon with, where a summary has it: a number, an obj
     "penetration.depth_error.source": str, "penetration.depth_error.unknown": str, "penetration.depth_error.advice": str,
     "penetration.probed_depth_error": LIST,
     "penetration.channel_volume_error": LIST,
-    "penetration.least_known": LIST, "penetration.least_known.sentence": str,
+    "penetration.least_certain": LIST, "penetration.least_certain.sentence": str,
     **{f"penetration.{of}_error.{name}": NUMBER for of in ("probed_depth", "channel_volume")
        for name in ("value", "low", "high", "cells_per_radius")},
     **dict.fromkeys((f"penetration.{of}_error.{name}" for of in ("probed_depth", "channel_volume")

@@ -10,7 +10,7 @@
 namespace barreno {
 
 /// What the range of one parameter of a card was measured to do to the hole of perforation.xml
-/// (docs/materials/arenisca.md), one at a time, from src/measured/rock_ranges.csv.
+/// (docs/materials/arenisca.md), one at a time, from src/measured/range_effects.csv.
 struct RangeEffect {
   std::string card;       ///< without .xml
   std::string parameter;  ///< of the card
@@ -35,15 +35,15 @@ RangeEffects read_range_effects(const std::filesystem::path& folder = {});
 /// Those that are installed, read once.
 const RangeEffects& range_effects();
 
-/// What is known worst of the rock around the hole: of the longest body in the jet's path, if its
+/// What is least certain of the rock around the hole: of the longest body in the jet's path, if its
 /// card was measured.
-struct LeastKnown {
+struct LeastCertain {
   std::string body;                ///< its name in the deck; empty: nothing was measured
   std::vector<RangeEffect> worst;  ///< at most two, the first one first
 };
-LeastKnown least_known(const Scene& scene, const RangeEffects& effects = range_effects());
+LeastCertain least_certain(const Scene& scene, const RangeEffects& effects = range_effects());
 
 /// One sentence on it; empty if nothing was measured.
-std::string least_known_sentence(const LeastKnown& least);
+std::string least_certain_sentence(const LeastCertain& least);
 
 }  // namespace barreno

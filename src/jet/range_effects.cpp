@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "jet/rock_ranges.hpp"
+#include "jet/range_effects.hpp"
 
 #include "base/format.hpp"
 #include "files/measured_table.hpp"
@@ -11,7 +11,7 @@
 namespace barreno {
 namespace {
 
-constexpr const char* file_name = "rock_ranges.csv";
+constexpr const char* file_name = "range_effects.csv";
 constexpr std::size_t most_named = 2;
 
 /// Parts of "card; parameter; range; known"; fewer than four of another text.
@@ -83,8 +83,8 @@ const RangeEffects& range_effects() {
   return effects;
 }
 
-LeastKnown least_known(const Scene& scene, const RangeEffects& effects) {
-  LeastKnown least;
+LeastCertain least_certain(const Scene& scene, const RangeEffects& effects) {
+  LeastCertain least;
   if (!scene.jet.present) return least;
   const std::vector<PathLayer> solids = solid_layers(path_layers(scene, widest_radius(scene)));
   if (solids.empty()) return least;
@@ -96,13 +96,13 @@ LeastKnown least_known(const Scene& scene, const RangeEffects& effects) {
   return least;
 }
 
-std::string least_known_sentence(const LeastKnown& least) {
+std::string least_certain_sentence(const LeastCertain& least) {
   std::string text;
   for (const RangeEffect& effect : least.worst)
-    text += (text.empty() ? "what is known worst of " + least.body + ": " : "; ") +
-            effect.parameter + ", " + effect.range + " (" + effect.known +
-            "), changes the depth by " + percent_range(effect.depth) +
-            ", the volume of the hole by " + percent_range(effect.volume);
+    text += (text.empty() ? "least certain of " + least.body + ": " : "; ") + effect.parameter +
+            " (" + effect.range + ", " + effect.known + ") changes the depth by " +
+            percent_range(effect.depth) + ", the volume of the hole by " +
+            percent_range(effect.volume);
   return text.empty() ? text : text + " (of perforation.xml, docs/materials/arenisca.md)";
 }
 
