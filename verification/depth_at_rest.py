@@ -19,6 +19,7 @@ import sys
 
 from tools import foreign_python  # noqa: F401
 from tools.depth_at_rest_runs import TIMES
+from tools.depth_shots import CONTINUOUS, FORMER
 from tools.penetration import between_particles_and_grid
 from tools.runs import DECKS, run_deck, scratch_folder
 from tools.write_pages import write_pages
@@ -30,13 +31,13 @@ PARTICLES = ("2", "4", "8", "2+4", "4+4")  # of the jet, in a cell along each di
 ASSOCIATED = {"Materials/Sandstone/Card": "berea_sandstone.xml"}
 UNCONFINED = {"Confinement": ""}
 JOBS = {
-    "bounded": {},
+    "bounded": FORMER,
     "failing": ASSOCIATED,
     "published": {**ASSOCIATED, "Materials/Tungsten/Card": "tungsten.xml", "Materials/Steel/Card": "steel_4340.xml"},
-    "bounded_unconfined": UNCONFINED,
+    "bounded_unconfined": {**FORMER, **UNCONFINED},
     "unconfined": {**ASSOCIATED, **UNCONFINED},
-    "continuous": {"Jet/Kind": "continuous", "Step/Largest Expansion": "40"},
-    "long_slugs": {},
+    "continuous": {**FORMER, **CONTINUOUS},
+    "long_slugs": FORMER,
 }
 SCATTER = {  # cells and particles with which the Courant Fraction is changed a little
     "failing": ((1.8, "2"), (2.4, "2")),

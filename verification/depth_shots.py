@@ -65,7 +65,8 @@ def measured(finished, scale):
 
     summary, table = finished.summary, finished.table("depth.csv")
     penetration = summary["penetration"]
-    depths = np.interp([1e-6 * scale * time for time in TIMES], table["time"], table["depth"])
+    reached = [time for time in TIMES if 1e-6 * scale * time <= table["time"][-1] * (1.0 + 1e-9)]
+    depths = np.interp([1e-6 * scale * time for time in reached], table["time"], table["depth"])
     return {
         "depth": [round(float(depth), 6) for depth in depths], "probed_depth": round(penetration["probed_depth"], 6),
         "channel_volume": penetration["channel_volume"], "zones_in_body": penetration.get("zones_in_body"),

@@ -9,6 +9,7 @@ Runs of perforation.xml with --fidelity fast, one core each; some minutes a row,
 import sys
 
 from tools import foreign_python  # noqa: F401
+from tools.depth_shots import FORMER
 from tools.elastic_shares_table import INTERVAL, ROWS, STORED, WORD
 from tools.elastic_shares_table import ROCK as ROCK_ENTRY
 from tools.plug import card_numbers
@@ -32,7 +33,7 @@ def numbers_of(material, entries):
 def measured(barreno, entries):
     softens = entries.get(ROCK_ENTRY + WORD, "constant") == "constant"
     fields = {"Output/Field Interval": f"{INTERVAL if softens else 0} us"}
-    finished = run_deck(barreno, "perforation.xml", {"Fidelity": "fast", **fields, **entries})
+    finished = run_deck(barreno, "perforation.xml", {"Fidelity": "fast", **FORMER, **fields, **entries})
     energy = finished.summary["balances"]["energy"]
     found = {name: energy[name] for name in SHARES}
     found["materials"] = energy["materials"]

@@ -15,6 +15,7 @@ import sys
 
 from tools import foreign_python  # noqa: F401
 from barreno.runs.csv_table import read_csv
+from tools.depth_shots import FORMER
 from tools.runs import DECKS, run_deck
 from tools.slug_ways_table import BINS, PICTURE, TIMES
 from tools.write_pages import write_pages
@@ -71,7 +72,7 @@ def ways(finished, cells, particles, splits):
 
 def measure(barreno, cells, particles, splits):
     settings = {
-        "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles), "Jet/Splits": str(splits),
+        **FORMER, "Jet/Cells Per Radius": f"{cells:g}", "Jet/Particles Per Cell": str(particles), "Jet/Splits": str(splits),
         "Step/Return Losses": "false", "Output/Field Interval": "40 us", "Time/End Time": "205 us",
     }  # fmt: skip
     return ways(run_deck(barreno, "perforation.xml", settings), cells, particles, splits)

@@ -12,7 +12,7 @@ namespace {
 
 /// The jet of perforation.xml (verification/results/depth_shots.json).
 constexpr int measured_splits = 4, measured_particles_per_cell = 2;
-constexpr double measured_end = 300e-6;   ///< with the measured radius and tip velocity [time]
+constexpr double measured_end = 400e-6;   ///< with the measured radius and tip velocity [time]
 constexpr double measured_length = 0.55;  ///< of the tip's slug, in radii
 constexpr double slowest_slug = 400.0;    ///< [velocity]
 constexpr double least_filled = 0.051;

@@ -148,7 +148,6 @@ Scene build_scene(const Deck& deck) {
   add_pore_flow(deck, scene);
   scene.step = read_step(deck, scene.grid.mode);
   check_expansions(deck, scene);
-  check_jet_expansion(deck, scene);
   scene.output = read_section<OutputSpec>(deck);
   add_quasi_static(deck, scene);
   check_returned_losses(deck, scene);

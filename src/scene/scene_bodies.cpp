@@ -164,15 +164,13 @@ void check_expansions(const Deck& deck, const Scene& scene) {
               "' is not (only Johnson-Cook with Expansion Strain = \"on\" is); set that in "
               "Materials, or remove Expansion"
       );
-    const double most = std::min(material.largest_porous_expansion(), scene.step.largest_expansion);
+    const double most = material.largest_porous_expansion();
     if (body.expansion >= most)
       deck.refuse_value(
           entry,
           "is not below " + input::exact_text(most) +
-              " (from 1 + 2 / Gruneisen on no shock brings "
-              "the metal to its density, from Step/Largest Expansion on a particle is rubble); "
-              "give "
-              "solid over mean density"
+              " (from 1 + 2 / Gruneisen on no shock brings the metal to its density); give solid "
+              "over mean density"
       );
     if (body.initial_pressure != 0.0)
       deck.refuse_value(

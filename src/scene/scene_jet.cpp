@@ -58,23 +58,6 @@ void check_relaxation(const Deck& deck, const Scene& scene) {
 
 }  // namespace
 
-void check_jet_expansion(const Deck& deck, const Scene& scene) {
-  const JetSpec& jet = scene.jet;
-  if (!jet.present || !traits_of(jet.kind).expanded) return;
-  const double density = material_of_jet(scene).density();
-  for (std::size_t s = 0; s < jet.slugs.size(); ++s) {
-    const double expansion = density / jet.slugs[s].density;
-    if (expansion < scene.step.largest_expansion) continue;
-    deck.refuse_value(
-        path_of(&JetSpec::kind),
-        "gives slug " + std::to_string(s + 1) + " an expansion of " + text_of("%.4g", expansion) +
-            " (solid over mean density; from Step/Largest Expansion = " +
-            text_of("%.4g", scene.step.largest_expansion) +
-            " on a particle counts as rubble); raise that, or take another kind"
-    );
-  }
-}
-
 void add_jet(const Deck& deck, Scene& scene) {
   const std::string slugs = path_of(&JetSpec::slugs);
   if (!deck.has(slugs)) return;

@@ -28,9 +28,8 @@ void check_pore_pressures(const Deck& deck, const Scene& scene);
 void add_jet(const Deck& deck, Scene& scene);
 /// When the run ends; after the jet.
 void add_end(const Deck& deck, Scene& scene);
-/// After the step: refuses voids that its Largest Expansion or their material cannot have.
+/// Refuses voids that their material cannot have.
 void check_expansions(const Deck& deck, const Scene& scene);
-void check_jet_expansion(const Deck& deck, const Scene& scene);
 /// After the bodies and the jet: refuses an explosive that nothing lights.
 void add_detonation(const Deck& deck, Scene& scene);
 void add_body_force(const Deck& deck, Scene& scene);

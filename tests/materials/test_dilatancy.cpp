@@ -134,5 +134,31 @@ TEST(Dilatancy, IsWholeAtTheEndOfTheCap) {
   EXPECT_NEAR(rule.share(0.5 * (cap.kappa + cap.X), 0.0, cap), 0.5, 0.01);
 }
 
+/// Broken rock that is denser than at the start dilates, the less the nearer it is to that volume.
+TEST(Dilatancy, EndsAtTheFirstVolumeWhereRockIsBroken) {
+  Parameters p{};
+  p.BETA_nonassociativity = 1.0;
+  p.dilatancy_limit = 0.05;
+  p.broken_dilatancy = 0.5;
+  const FlowRule rule = FlowRule::make(p);
+  const Cap none{};
+  const double tension = 1.0;
+  EXPECT_NEAR(rule.share(tension, -0.02, none, 0.0), 0.5 * 0.4, 1e-14);
+  EXPECT_NEAR(rule.share(tension, -0.2, none, 0.0), 0.5, 1e-14);
+  EXPECT_NEAR(rule.share(tension, 0.0, none, 0.0), FlowRule::least, 1e-14);
+  EXPECT_NEAR(rule.share(tension, 0.03, none, 0.0), FlowRule::least, 1e-14);
+  EXPECT_NEAR(rule.share(tension, -0.02, none, 0.25), 0.25 + 0.75 * 0.2, 1e-14) << "broken in part";
+  EXPECT_NEAR(rule.share(tension, -0.02, none, 1.0), 1.0, 1e-14) << "whole";
+  p.broken_dilatancy = 0.0;
+  const double without = FlowRule::make(p).share(tension, -0.02, none, 0.25);
+  EXPECT_EQ(without, 0.25) << "it ends with damage";
+}
+
+TEST(Dilatancy, OfBrokenRockNeedsALimit) {
+  Parameters p = Sample<Arenisca>::parameters();
+  p.broken_dilatancy = 1.0;
+  EXPECT_NE(FlowRule::check(p).find("needs a Dilatancy limit"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace barreno::test

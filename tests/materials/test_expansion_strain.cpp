@@ -181,9 +181,9 @@ TEST(ExpansionStrain, BrokenMetalWithLargeVoidsHasNextToNoModulusAndTheSizeOfIts
   EXPECT_EQ(point.history.temperature, temperature) << "nothing is sheared between voids";
   const auto solid = Porous::expanded_ratio<double>(point.volume_ratio, point.history);
   EXPECT_NEAR(solid, 1.0, 0.01);
-  // Voids that are not those of breaking, of a porous body: with them, and as stiff as the solid.
+  // Voids that are not those of breaking, of a porous body or a jet: as stiff as the solid.
   const auto porous = model.expanded_state(20.0);
-  EXPECT_EQ(Porous::expanded_ratio<double>(20.0, porous.history), 20.0);
+  EXPECT_NEAR(Porous::expanded_ratio<double>(20.0, porous.history), 1.0, 1e-14);
   EXPECT_NEAR(20.0 * model.longitudinal_modulus(Sym3{}, porous.history, 20.0) / stiff, 1.0, 0.02);
 }
 

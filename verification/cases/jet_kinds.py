@@ -91,7 +91,6 @@ def run(barreno, full):
         "particles counted are those of kinematic_anomalies in summary.json at the end, and those that have been removed. Until the end "
         "the jet's tip digs, which is nearly full of metal, and the grid does not see a gap that is shorter than a cell. In cells as wide "
         "as the "
-        "jet's radius the three depths therefore hardly differ. "
-        "More of the continuous jet is removed, because its voids count towards Largest Expansion."
+        "jet's radius the three depths therefore hardly differ."
     )
     return result

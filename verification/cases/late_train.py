@@ -16,7 +16,7 @@ FREE = {  # the jet slides on the rock and leaves it; steps of several lengths k
     "Contact/Jet on rock/Kind": "frictionless", "Step/Subcycles": "1",
 }  # fmt: skip
 KINDS = {
-    "discrete": {"Jet/Kind": "discrete"}, "continuous": {"Jet/Kind": "continuous", "Step/Largest Expansion": "40"},
+    "discrete": {"Jet/Kind": "discrete"}, "continuous": {"Jet/Kind": "continuous"},
     "discrete, contact": {"Jet/Kind": "discrete", **FREE},
 }  # fmt: skip
 CELLS = 3.6  # in the radius of a slug, as with 1.8 in the radius of the jet's tip

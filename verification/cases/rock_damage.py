@@ -16,6 +16,7 @@ MEGA = 1e6
 WIDTHS = (0.25e-3, 1e-3, 4e-3)  # of a crack [m]
 CONFINEMENTS = (0.0, 10.0, 50.0)  # [MPa]
 SHORTENING, STEP = 0.12, 1e-4
+CRUSHING, AFTER, LONG = 800.0, 10.0, 0.4  # [MPa, MPa, -]: a test of rock that was crushed before
 PARTS = 800  # increments of a test in tension to full damage
 NEARLY = 0.98  # damage at which such a test ends: broken rock has no stiffness, and what is left takes 4e-4 of the work
 COLUMNS = ["test", "quantity", "computed", "exact", "difference, relative"]
@@ -130,6 +131,40 @@ def crushed(result, library):
         result.demand("hydrostatic, 2 GPa: pores crushed by", -plug.get("plastic_volume_strain"), 0.1, at_least=True)
 
 
+def sheared_after_crushing(result, library):
+    """Triaxial test of rock that was crushed before: with Broken dilatancy it dilates until it has its first volume again."""
+    for broken in (0.0, 1.0):
+        with tempfile.TemporaryDirectory() as folder:
+            file = write_card(folder, CARDS_FOLDER / f"{CARD}.xml", {"Broken dilatancy": broken})
+            exact = BreakingRock(card_numbers(file))
+            with Material(file, library) as material:
+                plug = Plug(material, None)
+                while plug.pressure() < CRUSHING * MEGA:
+                    plug.squeeze(-STEP)
+                while plug.pressure() > AFTER * MEGA:
+                    plug.squeeze(STEP)
+                plug.confine(AFTER * MEGA)
+                crushed = plug.get("plastic_volume_strain")
+                rows = []
+                for _ in range(round(LONG / STEP)):
+                    plug.shorten(-STEP, AFTER * MEGA)
+                    rows.append([plug.get(name) for name in ("equivalent_plastic_strain", "damage", "plastic_volume_strain")])
+        shear, damage, volume = np.array(rows).T
+        flows = shear > 1e-4
+        ways = np.concatenate([[0.0], shear[flows]])
+        D, evp, *_ = (part[1:] for part in exact.path(-AFTER * MEGA, ways, -1, exact.card["Fracture strain"], crushed))
+        name = f"crushed at {CRUSHING:g} MPa, triaxial at {AFTER:g} MPa, Broken dilatancy {broken:g}"
+        for quantity, difference in {
+            "damage on the way": np.abs(damage[flows] - D).max(),
+            "plastic volume strain on the way, over that of crushing": np.abs(volume[flows] - evp).max() / -crushed,
+        }.items():
+            result.rows.append([name, quantity, "", "", float(difference)])
+            result.demand(f"{name}: {quantity}", float(difference), 0.02)
+        result.rows.append([name, "plastic volume strain, crushed and at the end", float(crushed), "", float(volume[-1])])
+        left = float(volume[-1] / crushed)
+        result.demand(f"{name}: what is left of crushing", left, *((0.7,) if broken == 0.0 else (0.1,)), at_least=broken == 0.0)
+
+
 def whole_rock(result, library):
     """Before it breaks rock is that of the card without damage."""
     stresses = []
@@ -163,6 +198,7 @@ def run(barreno, full):
     torn(result, library, exact)
     sheared(result, library, exact)
     crushed(result, library)
+    sheared_after_crushing(result, library)
     whole_rock(result, library)
     result.notes = (
         "A way is compared at the plastic shear strains of the computed test: damage as it is, the others relative to their largest "

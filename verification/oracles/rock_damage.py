@@ -14,7 +14,8 @@ class BreakingRock:
 
     def __init__(self, card):
         """@param card  parameters by their published names"""
-        self.card = {"BETA_nonassociativity": 1.0, "Dilatancy limit": 0.0, "Dilatancy pressure": 0.0, "Damage pressure": 0.0, **card}
+        self.card = {"BETA_nonassociativity": 1.0, "Dilatancy limit": 0.0, "Dilatancy pressure": 0.0, "Damage pressure": 0.0,
+            "Broken dilatancy": 0.0, **card}  # fmt: skip
 
     def limit(self, x, damage):
         """sqrt(J2) and its slope at I1 = x."""
@@ -69,16 +70,20 @@ class BreakingRock:
         if c["Dilatancy limit"] > 0.0 or c["Dilatancy pressure"] > 0.0:
             room = 1.0 - max(evp, 0.0) / c["Dilatancy limit"] if c["Dilatancy limit"] > 0.0 else 1.0
             pressed = np.exp(-pressure / c["Dilatancy pressure"]) if c["Dilatancy pressure"] > 0.0 else 1.0
-            left = max(room * (1.0 - damage), 1e-4) * pressed
+            denser = min(max(-evp, 0.0) / c["Dilatancy limit"], 1.0) if c["Broken dilatancy"] > 0.0 else 0.0
+            left = max(room * (1.0 - damage) + damage * c["Broken dilatancy"] * denser, 1e-4) * pressed
             share *= left + (1.0 - left) * along
         volume = -3.0 * ROOT_3 * share * slope
         weight = (np.exp(-pressure / c["Damage pressure"]) if c["Damage pressure"] > 0.0 else 1.0) * (1.0 - along)
         growth = weight * (1.0 + max(volume, 0.0) / 3.0) / fracture_strain if damage < 1.0 else 0.0
         return np.array([growth, volume, sign + volume / 3.0])
 
-    def path(self, side, shears, sign, fracture_strain):
-        """Damage, volumetric and axial plastic strain and axial stress at these plastic shear strains, which begin with 0."""
-        state, rows = np.zeros(3), []
+    def path(self, side, shears, sign, fracture_strain, crushed=0.0):
+        """Damage, volumetric and axial plastic strain and axial stress at these plastic shear strains, which begin with 0.
+
+        @param crushed  volumetric plastic strain at the start
+        """
+        state, rows = np.array([0.0, crushed, 0.0]), []
         for begin, end in zip(shears, [*shears[1:], None]):
             rows.append([*state, self.axial_stress(side, state[0], state[1], sign)])
             if end is None:

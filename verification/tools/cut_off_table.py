@@ -10,8 +10,8 @@ END = "600 us"
 GROWTH = 0.001  # what is still to come, where a hole counts as one that has stopped growing
 CARD = "Materials/Sandstone/Card"
 ROWS = {
-    "`berea_sandstone_bounded`": {},
-    "`berea_sandstone_heat`, losses returned": {CARD: "berea_sandstone_heat.xml", "Step/Return Losses": "true"},
+    "`berea_sandstone_bounded`": {CARD: "berea_sandstone_bounded.xml"},
+    "`berea_sandstone_heat`, losses returned": {"Step/Return Losses": "true"},
 }
 HEAD = ["card of the rock", "as wide as the jet [mm]", "not more after [us]", "its volume [cm3]", "not more after [us]",
     "slug that arrives then [km/s]", "of the tip's velocity", "tip [mm]", "not more after [us]"]  # fmt: skip

@@ -9,7 +9,7 @@ from tools.runs import DECKS, scratch_folder
 PICTURE = DOCS / "pictures" / "hole_of_cells.png"
 STEP = 5.0  # of the profile of the hole [mm]
 TABLE = DECKS / "jets" / "tungsten_320.csv"
-TIMES = (20, 60, 90, 120, 150, 200, 240, 280, 300)  # us, of a jet as fast as that of the deck
+TIMES = (20, 60, 90, 120, 150, 200, 240, 280, 300, 400)  # us, of a jet as fast as that of the deck; the last is not reached by all
 
 
 def widest_slug():
@@ -30,29 +30,35 @@ def scaled_table(velocity=1.0, radius=1.0):
 
 
 ROCK = "Materials/Sandstone/Card"
-KINDS = {"Jet/Kind"}  # entries of whose changes the program knows no error
-CONTINUOUS = {"Jet/Kind": "continuous", "Step/Largest Expansion": "40"}
+UNLIKE = {"Jet/Kind", "Bodies/Rock/Pore Pressure"}  # entries of whose changes the program knows no error
+CONTINUOUS, THINNED = {"Jet/Kind": "continuous"}, {"Jet/Kind": "thinned"}
+BARE = {"Confinement": ""}
 # Pores full of water without pressure, undrained.
-WET = {"Materials/Sandstone/fluid_B0": "2.25 GPa", "Bodies/Rock/Pore Pressure": "0 Pa", "Materials/Sandstone/Density": "2320 kg/m3"}
+WET = {ROCK: "berea_sandstone_heat_wet.xml", "Bodies/Rock/Pore Pressure": "0 Pa"}
+# The deck's rock before it had damage, heat and a limit of strength, whose hole is at rest earlier.
+FORMER = {ROCK: "berea_sandstone_bounded.xml", "Time/End Time": "300 us"}
 SHOTS = {  # what differs from the deck: settings, and factors of the jet's velocity and radius
     "the deck": ({}, {}),
-    "the deck, to 560 us": ({"Time/End Time": "560 us"}, {}),
-    "no confinement": ({"Confinement": ""}, {}),
-    "confinement of 138 MPa": ({"Confinement/Pressure": "138 MPa"}, {}),
-    "rock with a limit of strength and stiffening grains": ({ROCK: "berea_sandstone_shock.xml"}, {}),
-    "jet slower by a seventh": ({}, {"velocity": 6.0 / 7.0}),
-    "jet wider by a quarter": ({}, {"radius": 1.25}),
-    "no steel casing": ({"Bodies/Casing/Material": "Sandstone"}, {}),
-    "jet faster by a tenth": ({}, {"velocity": 1.1}),
-    "sandstone with associated flow": ({ROCK: "berea_sandstone.xml"}, {}),
-    "half of the confinement": ({"Confinement/Pressure": "5 ksi"}, {}),
-    "jet thinner by a fifth": ({}, {"radius": 0.8}),
-    "jet faster by a tenth, no confinement": ({"Confinement": ""}, {"velocity": 1.1}),
-    "jet slower by a seventh, 138 MPa": ({"Confinement/Pressure": "138 MPa"}, {"velocity": 6.0 / 7.0}),
     "losses returned": ({"Step/Return Losses": "true"}, {}),
+    "no confinement": (BARE, {}),
+    "confinement of 138 MPa": ({"Confinement/Pressure": "138 MPa"}, {}),
     "continuous jet": (CONTINUOUS, {}),
+    "thinned jet": (THINNED, {}),
+    "wet rock": (WET, {}),
     "continuous jet, wet rock": ({**CONTINUOUS, **WET}, {}),
-    "thinned jet": ({"Jet/Kind": "thinned"}, {}),
+    "former rock": (FORMER, {}),
+    "former rock, to 560 us": ({**FORMER, "Time/End Time": "560 us"}, {}),
+    "former rock, no confinement": ({**FORMER, **BARE}, {}),
+    "former rock, 138 MPa": ({**FORMER, "Confinement/Pressure": "138 MPa"}, {}),
+    "rock with a limit of strength and stiffening grains": ({**FORMER, ROCK: "berea_sandstone_shock.xml"}, {}),
+    "former rock, jet slower by a seventh": (FORMER, {"velocity": 6.0 / 7.0}),
+    "former rock, jet wider by a quarter": (FORMER, {"radius": 1.25}),
+    "former rock, no steel casing": ({**FORMER, "Bodies/Casing/Material": "Sandstone"}, {}),
+    "former rock, jet faster by a tenth": (FORMER, {"velocity": 1.1}),
+    "rock with associated flow": ({**FORMER, ROCK: "berea_sandstone.xml"}, {}),
+    "former rock, half of the confinement": ({**FORMER, "Confinement/Pressure": "5 ksi"}, {}),
+    "former rock, jet faster by a tenth, no confinement": ({**FORMER, **BARE}, {"velocity": 1.1}),
+    "former rock, losses returned": ({**FORMER, "Materials/Sandstone/Specific heat": "1000 J/(kg K)", "Step/Return Losses": "true"}, {}),
 }
 
 
@@ -60,7 +66,8 @@ def settings_of(shot):
     """Deck entries of a shot, its end included, and by how much it is slower."""
     entries, factors = SHOTS[shot]
     scale = 1.0 / factors.get("velocity", 1.0)
-    found = {"Time/End Time": f"{scale * TIMES[-1]:.6g} us", **entries}
+    end = float(entries.get("Time/End Time", f"{TIMES[-1]} us").removesuffix(" us"))
+    found = {**entries, "Time/End Time": f"{scale * end:.6g} us"}
     if factors:
         found["Jet/Table"] = scaled_table(**factors)
     return found, scale

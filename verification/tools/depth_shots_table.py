@@ -5,11 +5,12 @@ import json
 import statistics
 
 from tools.case_list import RESULTS
-from tools.depth_shots import KINDS, SHOTS, STEP, TIMES, widest_slug
+from tools.depth_shots import SHOTS, STEP, TIMES, UNLIKE, widest_slug
 
 DECK = "the deck"
 # Shots that the intervals are made from; others try them.
-MADE_FROM = (DECK, "no confinement", "no steel casing", "losses returned")
+MADE_FROM = (DECK, "no confinement", "former rock", "former rock, no confinement", "former rock, no steel casing",
+    "former rock, losses returned")  # fmt: skip
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 WHAT = ("depth", "probed depth", "volume")
@@ -74,7 +75,7 @@ def times_of(what):
 
 def at(one, what, time):
     if what == "depth":
-        return one["depth"][TIMES.index(time)]
+        return one["depth"][min(TIMES.index(time), len(one["depth"]) - 1)]  # of shots that end earlier the last
     return one["channel_volume" if what == "volume" else "wide_depth"]
 
 
@@ -92,7 +93,8 @@ def doubt(runs, what):
 def errors():
     """{cells per radius: {what: (value, low, high)}}: the last error of the deck; and the range of those of MADE_FROM at every time that
     counts, widened by what the smallest cells of the deck lack and by the scatter of runs. The smallest cells of another shot have the
-    error that they have in the deck; of its volume they may be as far from the truth as the next larger ones are from them."""
+    error that they have in the deck, if that was run with smaller ones; of its volume they may be as far from the truth as the next
+    larger ones are from them."""
     found, all_shots = {}, shots()
     runs = all_shots[DECK]
     finest = max(runs)
@@ -103,8 +105,9 @@ def errors():
                 others = all_shots[shot]
                 own = max(others)
                 if cells in others and cells < own:
-                    ranges.append([at(others[cells], what, time) / at(others[own], what, time) * (1.0 + deck) - 1.0
-                        for time, deck in zip(times_of(what), changes(runs, own, finest, what))])  # fmt: skip
+                    lacks = changes(runs, own, finest, what) if own < finest else [0.0 for _ in times_of(what)]
+                    ranges.append([at(others[cells], what, time) / at(others[own], what, time) * (1.0 + lack) - 1.0
+                        for time, lack in zip(times_of(what), lacks)])  # fmt: skip
                 elif what == "volume":  # without confinement it falls with smaller cells, and in the deck it grows
                     before = sorted(others)[-2]
                     reach = abs(at(others[before], what, REST) / at(others[own], what, REST) - 1.0)
@@ -152,17 +155,21 @@ def scatter_table():
     return lines
 
 
-LATER, RETURNED = "the deck, to 560 us", "losses returned"
+FORMER, LATER, RETURNED = "former rock", "former rock, to 560 us", "losses returned"
 HEAD = """## Depth at rest
 
 The hole of `input_xml/perforation.xml` at {rest} us, by the size of the cells: its tip, how far it is as wide as the widest slug of the jet,
 and its volume (`verification/depth_shots.py BARRENO "the deck" --cells N`; means where several runs are there):
 """
+BEFORE = """The same of the former rock at 300 us, `berea_sandstone_bounded`, which neither breaks nor melts and has no limit of strength
+(`verification/depth_shots.py BARRENO "former rock" --cells N`):
+"""
 WORTH = """![Radius of the hole against depth, with several sizes of cells](pictures/hole_of_cells.png)
 
 What this is worth:
 
-- *The hole as wide as the jet, and its volume, are known.* They hardly follow the cells, and hardly grow after {rest} us ({grown}). The hole
+- *The hole as wide as the jet, and its volume, are known.* They hardly follow the cells, and hardly grow after {rest} us
+  ([jets.md](jets.md#at-rest)). With the former rock, whose hole is narrower, they hardly did after 300 us ({grown}). A hole
   narrows slowly where it ends, and necks come and go: one of a few millimetres decided between depths of 473 and 570 mm. So `probed_depth`
   (depth.csv, summary.json and the screen) passes necks of up to five diameters of that slug, where the hole is as wide on either side.
 - *The tip is that of a thread* of spent metal, thinner than the jet. To {rest} us its depth is known to the interval below. After that it
@@ -176,15 +183,16 @@ def listed(words):
     return f"{', '.join(first)} and {last}"
 
 
-def deck_table():
-    """The deck with each size of cells."""
-    runs, several = shots()[DECK], repeats()
+def deck_table(shot=DECK):
+    """A shot with each size of cells."""
+    runs, several = shots()[shot], repeats() if shot == DECK else {}
     head = ("cells per radius of the tip", "runs", "tip [mm]", "as wide as the jet [mm]", "volume [cm3]", "lost by the method", "steps",
         "processor time of one [s]")  # fmt: skip
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for cells, one in sorted(runs.items()):
         number = len(several.get(cells, [one]))
-        values = [f"{factor * mean_at(cells, one, what, REST):.{digits}f}" for what, (_, factor, digits) in UNITS.items()]
+        means = {what: mean_at(cells, one, what, REST) if shot == DECK else at(one, what, REST) for what in WHAT}
+        values = [f"{factor * means[what]:.{digits}f}" for what, (_, factor, digits) in UNITS.items()]
         more = [f"{100 * one['lost']:.1f} %", str(one["steps"]), f"{one['cpu_seconds']:.0f}"]
         lines.append(f"| {cells:g} | {number} | " + " | ".join(values + more) + " |")
     return lines
@@ -202,15 +210,16 @@ def converged():
 
 def answer():
     found = shots()
-    ends = {cells: [1e3 * found[shot][cells]["wide_depth"] for shot in (DECK, LATER)] for cells in sorted(found[LATER])}
+    ends = {cells: [1e3 * found[shot][cells]["wide_depth"] for shot in (FORMER, LATER)] for cells in sorted(found[LATER])}
     grown = [f"{then:.0f} mm then and {later:.0f} mm at 560 us with {cells:g} cells per radius" for cells, (then, later) in ends.items()]
     worth = WORTH.format(rest=REST, grown=", ".join(grown))
-    return "\n".join([HEAD.format(rest=REST), *deck_table(), "", converged(), "", worth])
+    return "\n".join([HEAD.format(rest=REST), *deck_table(), "", converged(), "", BEFORE, *deck_table(FORMER), "", worth])
 
 
 TRIALS = """### Other shots, and whether the intervals hold
 
-Shots with divided particles at {rest} us, those of slower or faster jets as much later or earlier (`verification/depth_shots.py BARRENO`):
+Shots with divided particles at {rest} us, those of slower or faster jets as much later or earlier (`verification/depth_shots.py BARRENO`).
+The former rock is `berea_sandstone_bounded`, without damage, heat and a limit of strength; its shots end at 300 us. The table has
 what some cells give, the interval that the program gives with it, and what the smallest cells of that shot give. The intervals are made
 from {made}; all other shots try them.
 """
@@ -219,7 +228,7 @@ from {made}; all other shots try them.
 def is_like(shot):
     """Whether the program takes the jet of a shot for that of the deck; of others it says that their error is unknown."""
     entries, factors = SHOTS[shot]
-    return not KINDS & set(entries) and all(1.0 / LIKE <= factor <= LIKE * (1.0 + 1e-9) for factor in factors.values())
+    return not UNLIKE & set(entries) and all(1.0 / LIKE <= factor <= LIKE * (1.0 + 1e-9) for factor in factors.values())
 
 
 def verdict(shot, held):

@@ -9,7 +9,7 @@ from tools.verification_pages import table
 STORED = RESULTS / "elastic_shares.json"
 INTERVAL = 0.5  # between fields [us]
 ROCK = "Materials/Sandstone/"
-JOB, CONTROL = "the main job", "rock with the constant moduli of its grains"
+JOB, CONTROL = "the main job with `berea_sandstone_bounded`", "rock with the constant moduli of its grains"
 PRESSED, WORD = "dilated rock with the moduli of its pressure", "Dilated moduli"
 ROWS = {
     JOB: {},
@@ -68,7 +68,7 @@ def lines():
 
 def pressed_lines(pressed):
     """What is left where dilation changes no moduli."""
-    own, published = pressed["materials"]["Sandstone"], json.loads(rock_cards_table.STORED.read_text())[rock_cards_table.MAIN_JOB]
+    own, published = pressed["materials"]["Sandstone"], json.loads(rock_cards_table.STORED.read_text())[rock_cards_table.BOUNDED]
     answers, before = (
         "{:.0f} mm, the hole as wide as the jet to {:.0f} mm, its volume {:.1f} cm3".format(
             1e3 * one["depth"], 1e3 * one["probed_depth"], 1e6 * one["channel_volume"]

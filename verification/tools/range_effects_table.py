@@ -7,7 +7,7 @@ from tools.verification_pages import table
 
 STORED = RESULTS / "range_effects.json"
 STRENGTH = ("STREN", "YSLOPE", "Strength limit")
-OF_THE_JOB = "berea_sandstone_bounded"  # the card of perforation.xml
+OF_THE_JOB = "berea_sandstone_heat"  # the card of perforation.xml
 
 
 def crushed(answers):

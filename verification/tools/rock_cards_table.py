@@ -3,23 +3,25 @@
 import json
 
 from tools.case_list import RESULTS
-from tools.depth_shots import WET
+from tools.depth_shots import FORMER, ROCK, WET
 from tools.verification_pages import table
 
 STORED = RESULTS / "rock_cards.json"
-CARD = "Materials/Sandstone/Card"
+LOST = {"Step/Return Losses": "false"}
 RETURNED = {"Step/Return Losses": "true"}
-MAIN_JOB = "`berea_sandstone_bounded`: bounded dilatancy (the main job)"
+HEATED = "`berea_sandstone_heat`: all of it, and heat (the main job)"
+BOUNDED = "`berea_sandstone_bounded`: bounded dilatancy"
+STAYS = {"Materials/Sandstone/Broken dilatancy": "0"}
 ROWS = {  # what differs from the main job
-    "`berea_sandstone`: as published": {CARD: "berea_sandstone.xml"},
-    MAIN_JOB: {},
-    "`berea_sandstone_bounded`, losses returned to metals": {"Materials/Sandstone/Specific heat": "0", **RETURNED},
-    "`berea_sandstone_bounded`, losses returned to metals and rock": RETURNED,
-    "the same, pores full of water": {**WET, **RETURNED},
-    "`berea_sandstone_damage`: damage too": {CARD: "berea_sandstone_damage.xml"},
-    "`berea_sandstone_shock`: bounded dilatancy, limit, stiffening": {CARD: "berea_sandstone_shock.xml"},
-    "`berea_sandstone_heat`: all, and heat": {CARD: "berea_sandstone_heat.xml"},
-    "`berea_sandstone_heat`, losses returned to metals and rock": {CARD: "berea_sandstone_heat.xml", **RETURNED},
+    "`berea_sandstone`: as published": {**FORMER, ROCK: "berea_sandstone.xml"},
+    BOUNDED: FORMER,
+    "`berea_sandstone_damage`: damage too": {**FORMER, ROCK: "berea_sandstone_damage.xml"},
+    "`berea_sandstone_shock`: bounded dilatancy, limit, stiffening": {**FORMER, ROCK: "berea_sandstone_shock.xml"},
+    HEATED: LOST,
+    "the same, losses returned to metals and rock": RETURNED,
+    "the same, broken rock that does not dilate": {**STAYS, **LOST},
+    "`berea_sandstone_cracks`: a bound on tension too": {ROCK: "berea_sandstone_cracks.xml", **LOST},
+    "`berea_sandstone_heat_wet`: pores full of water": {**WET, **LOST},
 }
 
 

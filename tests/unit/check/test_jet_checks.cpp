@@ -534,7 +534,7 @@ Scene divided_scene() {
   scene.jet.cells_per_radius = 1.8;
   scene.grid.cell_size = 1e-3 / 1.8;
   scene.bodies[1].shape = Box{{0, border, 0}, {0.05, 1.0, 0}};
-  scene.end_time = 300e-6;
+  scene.end_time = 400e-6;
   return scene;
 }
 
@@ -569,12 +569,12 @@ TEST(DividedError, OfTheDepthEndsWithTheMeasurementsAndThatOfTheWideHoleDoesNot)
   const Scene scene = divided_scene();
   Penetration found;
   found.met = true;
-  EXPECT_EQ(depth_doubt(scene, 300e-6, found).unknown, "");
-  EXPECT_TRUE(says(depth_doubt(scene, 301e-6, found).unknown, "until 300 us only; what a hole"));
+  EXPECT_EQ(depth_doubt(scene, 400e-6, found).unknown, "");
+  EXPECT_TRUE(says(depth_doubt(scene, 401e-6, found).unknown, "until 400 us only; what a hole"));
   EXPECT_EQ(probed_depth_doubt(scene, 560e-6, found).unknown, "");
   found.through = true;
   EXPECT_TRUE(says(probed_depth_doubt(scene, 560e-6, found).unknown, "out of the rear"));
-  EXPECT_TRUE(says(volume_doubt(scene, 300e-6, found).unknown, "out of the rear"));
+  EXPECT_TRUE(says(volume_doubt(scene, 400e-6, found).unknown, "out of the rear"));
 }
 
 /// The measured jet itself is known; jets a fifth away, or with gaps ten times as long, are not.

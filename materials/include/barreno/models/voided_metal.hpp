@@ -144,15 +144,10 @@ struct Metal<Strength, EquationOfState, Voids<Failure>>
            Solid::longitudinal_modulus(stress, history, volume_ratio * metal_share);
   }
 
-  /// V / V_ref of what has expanded: of broken metal that of the solid, since its voids may have
-  /// any size; of any other with its voids.
+  /// V / V_ref of what has expanded: the solid's, since voids may have any size.
   template <class R>
   BARRENO_FUNCTION static R expanded_ratio(const R& volume_ratio, const HistoryOf<R>& history) {
-    const MaskOf<R> apart = broken_apart<R>(history);
-    if (!real::any(apart)) return volume_ratio;
-    return real::select(
-        apart, volume_ratio * real::exp(R(-history.expansion_strain)), volume_ratio
-    );
+    return volume_ratio * real::exp(R(-history.expansion_strain));
   }
 
 private:

@@ -10,14 +10,16 @@ namespace barreno::arenisca {
 /// The published flow rule: the return is the closest point in z = I1/sqrt(3), r = beta sqrt(3K/G)
 /// sqrt(J2), see TrialOf; so beta acts squared on the dilatancy, which a limit or a pressure bound:
 ///
-///   beta^2 = BETA^2 (s + (1 - s) c),   s = max(1 - max(evp, 0)/w, least) exp(-max(p, 0)/p_d)
+///   beta^2 = BETA^2 (s + (1 - s) c),   s = max(m, least) exp(-max(p, 0)/p_d)
+///   m = (1 - D) (1 - max(evp, 0)/w) + D b min(max(-evp/w, 0), 1)
 ///
 /// Sheared rock stops dilating near the volumetric plastic strain w, and dilates less under
-/// pressure, p = -I1/3. On the cap, from its branch point (c = 0) to its end (c = 1), the flow
-/// becomes that of BETA again: it compacts.
+/// pressure, p = -I1/3. Broken rock (D) dilates only where it is denser than it was when whole, and
+/// b times as much as whole rock: its critical state is the volume at the start. On the cap, from
+/// its branch point (c = 0) to its end (c = 1), the flow becomes that of BETA again: it compacts.
 struct FlowRule {
   struct Parameters {
-    double BETA_nonassociativity, dilatancy_limit, dilatancy_pressure;
+    double BETA_nonassociativity, dilatancy_limit, dilatancy_pressure, broken_dilatancy;
   };
   static ParameterTable<Parameters> parameter_table() {
     using P = Parameters;
@@ -49,26 +51,48 @@ struct FlowRule {
              0.0,
              "p_d: beta^2 falls with exp(-p/p_d), p the (effective) mean pressure. 0: the same at "
              "any pressure, as published"
+         ),
+         optional(
+             &P::broken_dilatancy,
+             "Broken dilatancy",
+             d::none,
+             Bounds{0.0, 1.0, false, false},
+             0.0,
+             "b: of the dilatancy of whole rock, what fully damaged rock keeps where it is denser "
+             "than at the start. 0: none"
          )},
         {}};
   }
-  static std::string check(const Parameters& /*p*/) { return {}; }
+  static std::string check(const Parameters& p) {
+    if (p.broken_dilatancy == 0.0 || p.dilatancy_limit > 0.0) return {};
+    return named("Broken dilatancy", p.broken_dilatancy) +
+           " needs a Dilatancy limit, but that is 0 (rock that dilates without end); set one, 0.05 "
+           "for example, or leave Broken dilatancy out.";
+  }
   static FlowRule make(const Parameters& p) {
     const auto inverse = [](double scale) { return scale > 0.0 ? 1.0 / scale : 0.0; };
-    return {p.BETA_nonassociativity, inverse(p.dilatancy_limit), inverse(p.dilatancy_pressure)};
+    return {
+        p.BETA_nonassociativity,
+        inverse(p.dilatancy_limit),
+        inverse(p.dilatancy_pressure),
+        p.broken_dilatancy};
   }
 
   /// Of beta^2, where rock is dilated and at any pressure: the return needs a direction.
   static constexpr double least = 1e-4, least_of_all = 1e-100;
 
-  double beta, per_strain, per_pressure;
+  double beta, per_strain, per_pressure, broken;
 
-  /// What is left of BETA^2 at I1 = x and volumetric plastic strain evp: it ends with the damage.
+  /// What is left of BETA^2 at I1 = x and volumetric plastic strain evp.
   /// @param intact  1 - D
   template <class R>
   BARRENO_FUNCTION R
   share(const R& x, const R& evp, const CapOf<R>& cap, const R& intact = R{} + 1.0) const {
-    const R room = real::larger(R(intact * (1.0 - per_strain * real::larger(evp, 0.0))), least);
+    R room = intact * (1.0 - per_strain * real::larger(evp, 0.0));
+    if (broken > 0.0)
+      room += broken * (1.0 - intact) *
+              real::smaller(real::larger(R(-per_strain * evp), 0.0), 1.0);
+    room = real::larger(room, least);
     const R pressed = real::exp(R((per_pressure / 3.0) * real::smaller(x, 0.0)));
     const R left = real::larger(R(room * pressed), least_of_all);
     return left + (1.0 - left) * place_on_cap(x, cap);
