@@ -3,6 +3,7 @@
 
 #include "base/format.hpp"
 #include "jet/failure.hpp"
+#include "jet/path.hpp"
 #include "scene/jet.hpp"
 
 #include <cmath>
@@ -16,9 +17,16 @@ constexpr double measured_end = 400e-6;   ///< with the measured radius and tip 
 constexpr double measured_length = 0.55;  ///< of the tip's slug, in radii
 constexpr double slowest_slug = 400.0;    ///< [velocity]
 constexpr double least_filled = 0.051;
+constexpr double least_confinement = 34e6;  ///< between this and none nothing was run [stress]
 /// How far another jet may be from it: no other was run.
 constexpr double farthest_jet = 1.1;
 constexpr double round_off = 1e-6;
+
+/// Rock that nothing holds swells beside the hole, and the more so the larger the cells.
+bool is_bare(const Scene& scene) {
+  const std::vector<PathLayer> solids = solid_layers(path_layers(scene, widest_radius(scene)));
+  return !solids.empty() && longest_body(scene, solids).initial_pressure < least_confinement;
+}
 
 bool is_like(double ratio) {
   return is_within(ratio, farthest_jet);
@@ -136,7 +144,9 @@ DepthDoubt probed_depth_doubt(
 DepthDoubt volume_doubt(
     const Scene& scene, double time, const Penetration& found, const DepthTables& tables
 ) {
-  return hole_doubt(scene, time, found, tables, &DividedError::volume);
+  return hole_doubt(
+      scene, time, found, tables, is_bare(scene) ? &DividedError::bare_volume : &DividedError::volume
+  );
 }
 
 }  // namespace barreno

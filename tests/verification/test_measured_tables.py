@@ -46,7 +46,7 @@ class MeasuredTables(unittest.TestCase):
 
 
 class DividedErrors(unittest.TestCase):
-    """The intervals are made from one shot; the others try them."""
+    """The intervals are made from some shots; the others try them."""
 
     def test_an_interval_holds_what_lies_in_it(self):
         error = (-0.05, -0.1, 0.02)

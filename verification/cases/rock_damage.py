@@ -16,7 +16,7 @@ MEGA = 1e6
 WIDTHS = (0.25e-3, 1e-3, 4e-3)  # of a crack [m]
 CONFINEMENTS = (0.0, 10.0, 50.0)  # [MPa]
 SHORTENING, STEP = 0.12, 1e-4
-CRUSHING, AFTER, LONG = 800.0, 10.0, 0.4  # [MPa, MPa, -]: a test of rock that was crushed before
+CRUSHING, AFTER, LONG, FINE = 800.0, 10.0, 0.4, 5e-5  # [MPa, MPa, -, -]: a test of rock that was crushed before, and its increments
 PARTS = 800  # increments of a test in tension to full damage
 NEARLY = 0.98  # damage at which such a test ends: broken rock has no stiffness, and what is left takes 4e-4 of the work
 COLUMNS = ["test", "quantity", "computed", "exact", "difference, relative"]
@@ -141,13 +141,13 @@ def sheared_after_crushing(result, library):
                 plug = Plug(material, None)
                 while plug.pressure() < CRUSHING * MEGA:
                     plug.squeeze(-STEP)
-                while plug.pressure() > AFTER * MEGA:
-                    plug.squeeze(STEP)
+                while plug.pressure() > 1.2 * AFTER * MEGA:
+                    plug.squeeze(0.1 * STEP)
                 plug.confine(AFTER * MEGA)
                 crushed = plug.get("plastic_volume_strain")
                 rows = []
-                for _ in range(round(LONG / STEP)):
-                    plug.shorten(-STEP, AFTER * MEGA)
+                for _ in range(round(LONG / FINE)):
+                    plug.shorten(-FINE, AFTER * MEGA)
                     rows.append([plug.get(name) for name in ("equivalent_plastic_strain", "damage", "plastic_volume_strain")])
         shear, damage, volume = np.array(rows).T
         flows = shear > 1e-4

@@ -11,9 +11,11 @@ DECK = "the deck"
 # Shots that the intervals are made from; others try them.
 MADE_FROM = (DECK, "no confinement", "former rock", "former rock, no confinement", "former rock, no steel casing",
     "former rock, losses returned")  # fmt: skip
+BARE = [shot for shot in MADE_FROM if "no confinement" in shot]  # whose volume follows the cells more
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 WHAT = ("depth", "probed depth", "volume")
+BARE_VOLUME = "volume without confinement"
 WORDS = {"depth": "the tip", "probed depth": "the hole as wide as the jet", "volume": "the volume of the hole"}
 UNITS = {"depth": ("mm", 1e3, 0), "probed depth": ("mm", 1e3, 0), "volume": ("cm3", 1e6, 1)}  # with a factor, and digits after the point
 LIKE = 1.1  # how far the program takes another jet for that of the deck (src/jet/divided_error.cpp)
@@ -90,31 +92,49 @@ def doubt(runs, what):
     return max(map(abs, changes(runs, before, finest, what)))
 
 
+def ranges_of(shot, cells, what):
+    """Errors of a shot beside the deck with some cells, at every time that counts."""
+    runs, others = shots()[DECK], shots()[shot]
+    own, finest = max(others), max(runs)
+    if cells in others and cells < own:
+        lacks = changes(runs, own, finest, what) if own < finest else [0.0 for _ in times_of(what)]
+        return [at(others[cells], what, time) / at(others[own], what, time) * (1.0 + lack) - 1.0
+            for time, lack in zip(times_of(what), lacks)]  # fmt: skip
+    if what != "volume" or cells < own:
+        return []
+    before = sorted(others)[-2]  # without confinement it falls with smaller cells, and in the deck it grows
+    reach = abs(at(others[before], what, REST) / at(others[own], what, REST) - 1.0)
+    return [-reach, reach]
+
+
+def made_from(name):
+    """Shots beside the deck whose errors make an interval."""
+    others = [shot for shot in MADE_FROM[1:] if shot in shots()]
+    return others if "volume" not in name else [shot for shot in others if (shot in BARE) == (name == BARE_VOLUME)]
+
+
 def errors():
     """{cells per radius: {what: (value, low, high)}}: the last error of the deck; and the range of those of MADE_FROM at every time that
     counts, widened by what the smallest cells of the deck lack and by the scatter of runs. The smallest cells of another shot have the
     error that they have in the deck, if that was run with smaller ones; of its volume they may be as far from the truth as the next
-    larger ones are from them."""
-    found, all_shots = {}, shots()
-    runs = all_shots[DECK]
+    larger ones are from them. The volume has two intervals, in rock with and without confinement, each made from shots of its kind."""
+    found, runs = {}, shots()[DECK]
     finest = max(runs)
     for cells in sorted(runs):
-        for what in WHAT:
-            ranges = [changes(runs, cells, finest, what), [0.0]]  # what was found may be right
-            for shot in MADE_FROM[1:]:
-                others = all_shots[shot]
-                own = max(others)
-                if cells in others and cells < own:
-                    lacks = changes(runs, own, finest, what) if own < finest else [0.0 for _ in times_of(what)]
-                    ranges.append([at(others[cells], what, time) / at(others[own], what, time) * (1.0 + lack) - 1.0
-                        for time, lack in zip(times_of(what), lacks)])  # fmt: skip
-                elif what == "volume":  # without confinement it falls with smaller cells, and in the deck it grows
-                    before = sorted(others)[-2]
-                    reach = abs(at(others[before], what, REST) / at(others[own], what, REST) - 1.0)
-                    ranges.append([-reach, reach])
+        for name in (*WHAT, BARE_VOLUME):
+            what = "volume" if name == BARE_VOLUME else name
+            of_deck = changes(runs, cells, finest, what)
+            ranges = [*of_deck, 0.0]  # what was found may be right
+            for shot in made_from(name):
+                ranges += ranges_of(shot, cells, what)
             more = doubt(runs, what) + scatter(what)
-            found.setdefault(cells, {})[what] = (ranges[0][-1], min(map(min, ranges)) - more, max(map(max, ranges)) + more)
+            found.setdefault(cells, {})[name] = (of_deck[-1], min(ranges) - more, max(ranges) + more)
     return found
+
+
+def interval_name(shot, what):
+    """Which interval the program gives for a shot."""
+    return BARE_VOLUME if what == "volume" and not SHOTS[shot][0].get("Confinement", "some") else what
 
 
 def covered(depth, error, truth):
@@ -131,9 +151,9 @@ def trials():
         for cells in sorted(runs):
             for what in WHAT if cells < finest and cells in known else ():
                 depth, truth = (at(runs[c], what, REST) for c in (cells, finest))
-                _, low, high = known[cells][what]
-                interval = depth / (1.0 + high), depth / (1.0 + low)
-                yield shot, cells, finest, what, depth, interval, truth, covered(depth, known[cells][what], truth)
+                error = known[cells][interval_name(shot, what)]
+                interval = depth / (1.0 + error[2]), depth / (1.0 + error[1])
+                yield shot, cells, finest, what, depth, interval, truth, covered(depth, error, truth)
 
 
 AGREE = """

@@ -61,11 +61,11 @@ def cards():
 
 
 def lines():
-    return [line for card, found in cards().items() for line in [*(heading(card, found) if card != OF_THE_JOB else []), *card_lines(found)]]
+    return [line for card, found in cards().items() for line in [heading(card, found), "", *card_lines(found), ""]][:-1]
 
 
 def heading(card, found):
-    return ["", f"The same of `{card}`" + (f", to {found['until']}:" if found.get("until") else ":"), ""]
+    return f"`{card}`{' (the main job)' if card == OF_THE_JOB else ''}" + (f", to {found['until']}:" if found.get("until") else ":")
 
 
 def card_lines(found):

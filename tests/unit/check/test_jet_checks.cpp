@@ -534,6 +534,7 @@ Scene divided_scene() {
   scene.jet.cells_per_radius = 1.8;
   scene.grid.cell_size = 1e-3 / 1.8;
   scene.bodies[1].shape = Box{{0, border, 0}, {0.05, 1.0, 0}};
+  scene.bodies[1].initial_pressure = 69e6;
   scene.end_time = 400e-6;
   return scene;
 }
@@ -560,6 +561,9 @@ TEST(DividedError, IsThatOfTheTableAndBetweenItsCells) {
     const DepthDoubt volume = volume_doubt(scene, 200e-6, found);
     EXPECT_EQ(volume.unknown, "");
     EXPECT_NEAR(volume.error.high, one->volume.high, 1e-9);
+    Scene bare = scene;
+    bare.bodies[1].initial_pressure = 0.0;
+    EXPECT_NEAR(volume_doubt(bare, 200e-6, found).error.high, one->bare_volume.high, 1e-9);
   }
   const DepthDoubt middle = with_cells(std::sqrt(coarse.cells_per_radius * fine.cells_per_radius));
   EXPECT_NEAR(middle.error.value, 0.5 * (coarse.depth.value + fine.depth.value), 1e-9);
