@@ -11,7 +11,7 @@ from tools.plug import card_numbers
 from tools.runs import call
 
 CARDS_FOLDER = pathlib.Path(__file__).resolve().parents[2] / "materials" / "cards"
-CARDS = ("berea_sandstone_damage", "berea_sandstone_bounded", "berea_sandstone_shock")
+CARDS = ("berea_sandstone_heat", "berea_sandstone_damage", "berea_sandstone_bounded", "berea_sandstone_shock")
 STRESSES = {"2.5 GPa": (2.5e9, 0.10), "5 GPa": (5e9, 0.02)}  # axial stress, share of the pores that "closed" may leave
 STRAIN, ROWS = 0.45, 450  # logarithmic
 SOURCES = {

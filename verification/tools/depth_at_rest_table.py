@@ -11,7 +11,7 @@ STAGES = (  # what was changed one after the other: words, job, particles of the
 )
 WHY = f"""### Why it follows the cells
 
-Depth [mm] at {COMMON} us, by what was changed ([all runs](../verification/results/depth_at_rest_runs.md)):
+Depth [mm] of the former rock at {COMMON} us, by what was changed ([all runs](../verification/results/depth_at_rest_runs.md)):
 """
 WAY = """The first {low:g} us are the same in all rows. Late slugs make the difference. Each flies hundreds of millimetres through the hole that
 earlier slugs have made, which is hardly wider than it is, and then digs at a bottom where spent metal lies. Velocity over launch velocity at
@@ -45,7 +45,7 @@ With divided particles it makes the hole no deeper and takes several times the s
 END = """### What theory says
 
 Theory does not bound this depth. By its length the jet digs 317 mm (`./barreno jet input_xml/perforation.xml`, hydrodynamic, without
-strength), less than two thirds of what is computed: its slugs have gaps of a dozen lengths, each digs a crater of its own, and spent metal
+strength), about half of what is computed: its slugs have gaps of a dozen lengths, each digs a crater of its own, and spent metal
 goes on. Rods of metal show the same: ten rods with gaps dig half as deep again as one of the same length
 ([rod_train](verification/rod_train.md)).
 
