@@ -95,14 +95,6 @@ std::string take_lengths(const Rows& rows, DepthTables& tables) {
   return {};
 }
 
-/// What a row of divided_errors.csv is of; none: nothing is known of it.
-DepthError* error_of(const std::string& what, DividedError& of) {
-  if (what == "depth") return &of.depth;
-  if (what == "probed depth") return &of.probed;
-  if (what == "volume") return &of.volume;
-  return what == "volume without confinement" ? &of.bare_volume : nullptr;
-}
-
 /// Rows of what, cells per radius, value, low, high.
 std::string take_divided(const Rows& rows, DepthTables& tables) {
   for (const MeasuredTable::Row& row : rows) {
@@ -110,22 +102,22 @@ std::string take_divided(const Rows& rows, DepthTables& tables) {
     const DepthError error{row.numbers[1], row.numbers[2], row.numbers[3]};
     if (!(error.low <= error.value && error.value <= error.high))
       return "an error is outside of its range";
-    if (row.name == "depth") {
-      tables.divided.emplace_back();
-      tables.divided.back().cells_per_radius = cells;
-    } else if (tables.divided.empty() || tables.divided.back().cells_per_radius != cells) {
+    const bool probed = row.name == "probed depth";
+    if (row.name == "depth")
+      tables.divided.push_back({cells, error, {}, {}});
+    else if (!probed && row.name != "volume")
+      return "nothing is known of rows \"" + row.name + "\"";
+    else if (tables.divided.empty() || tables.divided.back().cells_per_radius != cells)
       return "a " + row.name + " does not follow the depth with the same cells";
-    }
-    DepthError* const own = error_of(row.name, tables.divided.back());
-    if (own == nullptr) return "nothing is known of rows \"" + row.name + "\"";
-    *own = error;
+    else
+      (probed ? tables.divided.back().probed : tables.divided.back().volume) = error;
   }
   const auto fewer = [](const DividedError& a, const DividedError& b) {
     return a.cells_per_radius < b.cells_per_radius;
   };
   const std::vector<DividedError>& found = tables.divided;
-  if (found.size() < 2 || rows.size() != 4 * found.size())
-    return "it has not four errors for each of several sizes of cells";
+  if (found.size() < 2 || rows.size() != 3 * found.size())
+    return "it has not three errors for each of several sizes of cells";
   return std::is_sorted(found.begin(), found.end(), fewer) ? "" : "its cells are not sorted";
 }
 

@@ -40,7 +40,6 @@ struct DepthError {
 struct DividedError {
   double cells_per_radius = 0.0;
   DepthError depth, probed, volume;
-  DepthError bare_volume;  ///< of the hole in rock without confinement
 };
 
 struct DepthTables {

@@ -17,12 +17,12 @@ constexpr double measured_end = 400e-6;   ///< with the measured radius and tip 
 constexpr double measured_length = 0.55;  ///< of the tip's slug, in radii
 constexpr double slowest_slug = 400.0;    ///< [velocity]
 constexpr double least_filled = 0.051;
-constexpr double least_confinement = 34e6;  ///< between this and none nothing was run [stress]
+constexpr double least_confinement = 34e6;  ///< of a hole whose volume rests [stress]
 /// How far another jet may be from it: no other was run.
 constexpr double farthest_jet = 1.1;
 constexpr double round_off = 1e-6;
 
-/// Rock that nothing holds swells beside the hole, and the more so the larger the cells.
+/// Broken rock that nothing holds flies apart, and its hole goes on growing.
 bool is_bare(const Scene& scene) {
   const std::vector<PathLayer> solids = solid_layers(path_layers(scene, widest_radius(scene)));
   return !solids.empty() && longest_body(scene, solids).initial_pressure < least_confinement;
@@ -144,9 +144,14 @@ DepthDoubt probed_depth_doubt(
 DepthDoubt volume_doubt(
     const Scene& scene, double time, const Penetration& found, const DepthTables& tables
 ) {
-  return hole_doubt(
-      scene, time, found, tables, is_bare(scene) ? &DividedError::bare_volume : &DividedError::volume
-  );
+  DepthDoubt doubt = hole_doubt(scene, time, found, tables, &DividedError::volume);
+  if (doubt.unknown.empty() && is_bare(scene))
+    doubt.unknown = format(
+        "it was measured under a confinement of %g MPa and more only; broken rock that nothing "
+        "holds flies apart",
+        1e-6 * least_confinement
+    );
+  return doubt;
 }
 
 }  // namespace barreno

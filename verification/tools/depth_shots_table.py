@@ -4,6 +4,7 @@ and a part of docs/trade.md."""
 import json
 import statistics
 
+from scipy.optimize import brentq
 from tools.case_list import RESULTS
 from tools.depth_shots import SHOTS, STEP, TIMES, UNLIKE, widest_slug
 
@@ -11,11 +12,10 @@ DECK = "the deck"
 # Shots that the intervals are made from; others try them.
 MADE_FROM = (DECK, "no confinement", "former rock", "former rock, no confinement", "former rock, no steel casing",
     "former rock, losses returned")  # fmt: skip
-BARE = [shot for shot in MADE_FROM if "no confinement" in shot]  # whose volume follows the cells more
+BARE = ("no confinement", "former rock, no confinement", "former rock, jet faster by a tenth, no confinement")  # volume: unknown
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 WHAT = ("depth", "probed depth", "volume")
-BARE_VOLUME = "volume without confinement"
 WORDS = {"depth": "the tip", "probed depth": "the hole as wide as the jet", "volume": "the volume of the hole"}
 UNITS = {"depth": ("mm", 1e3, 0), "probed depth": ("mm", 1e3, 0), "volume": ("cm3", 1e6, 1)}  # with a factor, and digits after the point
 LIKE = 1.1  # how far the program takes another jet for that of the deck (src/jet/divided_error.cpp)
@@ -52,7 +52,8 @@ def shots():
 def repeats():
     """{cells: runs of the deck that should agree}, of those cells with which there are several"""
     found = json.loads((RESULTS / "depth_scatter.json").read_text())
-    return {float(cells): [with_wide_depth(one) for one in runs.values()] for cells, runs in found.items() if len(runs) > 2}
+    return {float(cells): [{**one, "wide_depth": one["probed_depth"]} for one in runs.values()]
+        for cells, runs in found.items() if len(runs) > 2}  # fmt: skip
 
 
 def mean_at(cells, single, what, time):
@@ -100,41 +101,30 @@ def ranges_of(shot, cells, what):
         lacks = changes(runs, own, finest, what) if own < finest else [0.0 for _ in times_of(what)]
         return [at(others[cells], what, time) / at(others[own], what, time) * (1.0 + lack) - 1.0
             for time, lack in zip(times_of(what), lacks)]  # fmt: skip
-    if what != "volume" or cells < own:
+    if what != "volume" or cells < own or len(others) < 2:
         return []
-    before = sorted(others)[-2]  # without confinement it falls with smaller cells, and in the deck it grows
+    before = sorted(others)[-2]  # it may fall with smaller cells where that of the deck grows
     reach = abs(at(others[before], what, REST) / at(others[own], what, REST) - 1.0)
     return [-reach, reach]
-
-
-def made_from(name):
-    """Shots beside the deck whose errors make an interval."""
-    others = [shot for shot in MADE_FROM[1:] if shot in shots()]
-    return others if "volume" not in name else [shot for shot in others if (shot in BARE) == (name == BARE_VOLUME)]
 
 
 def errors():
     """{cells per radius: {what: (value, low, high)}}: the last error of the deck; and the range of those of MADE_FROM at every time that
     counts, widened by what the smallest cells of the deck lack and by the scatter of runs. The smallest cells of another shot have the
     error that they have in the deck, if that was run with smaller ones; of its volume they may be as far from the truth as the next
-    larger ones are from them. The volume has two intervals, in rock with and without confinement, each made from shots of its kind."""
+    larger ones are from them. The volume of a hole without confinement does not rest, and makes none."""
     found, runs = {}, shots()[DECK]
     finest = max(runs)
     for cells in sorted(runs):
-        for name in (*WHAT, BARE_VOLUME):
-            what = "volume" if name == BARE_VOLUME else name
+        for what in WHAT:
             of_deck = changes(runs, cells, finest, what)
             ranges = [*of_deck, 0.0]  # what was found may be right
-            for shot in made_from(name):
-                ranges += ranges_of(shot, cells, what)
+            for shot in MADE_FROM[1:]:
+                if what != "volume" or shot not in BARE:
+                    ranges += ranges_of(shot, cells, what)
             more = doubt(runs, what) + scatter(what)
-            found.setdefault(cells, {})[name] = (of_deck[-1], min(ranges) - more, max(ranges) + more)
+            found.setdefault(cells, {})[what] = (of_deck[-1], min(ranges) - more, max(ranges) + more)
     return found
-
-
-def interval_name(shot, what):
-    """Which interval the program gives for a shot."""
-    return BARE_VOLUME if what == "volume" and not SHOTS[shot][0].get("Confinement", "some") else what
 
 
 def covered(depth, error, truth):
@@ -149,9 +139,9 @@ def trials():
     for shot, runs in shots().items():
         finest = max(runs)
         for cells in sorted(runs):
-            for what in WHAT if cells < finest and cells in known else ():
+            for what in [of for of in WHAT if of != "volume" or shot not in BARE] if cells < finest and cells in known else ():
                 depth, truth = (at(runs[c], what, REST) for c in (cells, finest))
-                error = known[cells][interval_name(shot, what)]
+                error = known[cells][what]
                 interval = depth / (1.0 + error[2]), depth / (1.0 + error[1])
                 yield shot, cells, finest, what, depth, interval, truth, covered(depth, error, truth)
 
@@ -218,14 +208,31 @@ def deck_table(shot=DECK):
     return lines
 
 
+def order_of(values):
+    """p of f = f_0 + a n^-p through the last three sizes n, or None where there is none above 0 that explains them."""
+    (n1, f1), (n2, f2), (n3, f3) = sorted(values.items())[-3:]
+    if (f2 - f1) * (f3 - f2) <= 0.0:
+        return None
+    ratio = (f3 - f2) / (f2 - f1)
+    misfit = lambda p: (n2**-p - n3**-p) / (n1**-p - n2**-p) - ratio  # noqa: E731
+    return brentq(misfit, 1e-6, 40.0) if misfit(1e-6) * misfit(40.0) < 0.0 else None
+
+
 def converged():
     """What the last smaller cells do to the hole of the deck, in words."""
     runs = shots()[DECK]
     *_, before, last = sorted(runs)
     by = {what: 100.0 * (mean_at(last, runs[last], what, REST) / mean_at(before, runs[before], what, REST) - 1.0) for what in WHAT}
     words = listed([f"{WORDS[what]}{' changes' if what == WHAT[0] else ''} by {by[what]:+.1f} %" for what in WHAT])
-    return (f"From {before:g} to {last:g} cells per radius {words}. The changes do not fall from size to size, so that no order of "
-        "convergence can be measured.")  # fmt: skip
+    orders = {what: order_of({cells: mean_at(cells, one, what, REST) for cells, one in runs.items()}) for what in WHAT}
+    known = [f"{order:.1f} for {WORDS[what]}" for what, order in orders.items() if order is not None]
+    without = [WORDS[what] for what, order in orders.items() if order is None]
+    sentence = f"From {before:g} to {last:g} cells per radius {words}."
+    if known:
+        sentence += f" The last three sizes give an order of convergence of {listed(known) if len(known) > 1 else known[0]}."
+    if without:
+        sentence += f" The changes of {listed(without) if len(without) > 1 else without[0]} do not fall from size to size: no order can be measured."
+    return sentence
 
 
 def answer():
@@ -239,8 +246,8 @@ def answer():
 TRIALS = """### Other shots, and whether the intervals hold
 
 Shots with divided particles at {rest} us, those of slower or faster jets as much later or earlier (`verification/depth_shots.py BARRENO`).
-The former rock is `berea_sandstone_bounded`, without damage, heat and a limit of strength; its shots end at 300 us. The table has
-what some cells give, the interval that the program gives with it, and what the smallest cells of that shot give. The intervals are made
+The former rock is `berea_sandstone_bounded`, without damage, heat and a limit of strength; its shots end at 300 us. Without confinement
+broken rock flies apart, and the volume of its hole goes on growing: no interval is given. The table has what some cells give, the interval that the program gives with it, and what the smallest cells of that shot give. The intervals are made
 from {made}; all other shots try them.
 """
 
@@ -266,11 +273,14 @@ def table():
     for (shot, cells, finest), found in rows.items():
         texts = []
         for what in WHAT:
-            depth, (low, high), truth, _ = found[what]
             _, factor, digits = UNITS[what]
-            depth, low, high, truth = (f"{factor * one:.{digits}f}" for one in (depth, low, high, truth))
-            texts.append(f"{depth}, {low} to {high}, {truth}")
-        held = {what: found[what][-1] for what in WHAT}
+            write = lambda value: f"{factor * value:.{digits}f}"  # noqa: E731
+            if what in found:
+                depth, (low, high), truth, _ = found[what]
+                texts.append(f"{write(depth)}, {write(low)} to {write(high)}, {write(truth)}")
+            else:
+                texts.append(", unknown, ".join(write(at(shots()[shot][size], what, REST)) for size in (cells, finest)))
+        held = {what: what not in found or found[what][-1] for what in WHAT}
         lines.append(f"| {shot} | {cells:g} | " + " | ".join(texts) + f" | {finest:g} | {verdict(shot, held)} |")
     return lines
 

@@ -46,8 +46,8 @@ def answers(one):
     efficiency = f"{one['efficiency']:.2f}" if "efficiency" in one else "not measured"
     entrance = one["entrance_diameter_in_body"]
     return [
-        f"{1e3 * one['depth']:.0f} mm", interval(one["depth"], one.get("depth_error")),
         f"{1e3 * one['probed_depth']:.0f} mm", interval(one["probed_depth"], one.get("probed_depth_error")),
+        f"{1e3 * one['depth']:.0f} mm", interval(one["depth"], one.get("depth_error")),
         f"{1e3 * entrance['Casing']:.1f} and {1e3 * entrance['Rock']:.1f} mm", *volume(one),
         crushed, skin, efficiency, f"{100.0 * one['lost']:.1f} %", least_certain(one),
         f"{one['seconds']:.0f} s, {1e-6 * one['bytes']:.0f} MB",
@@ -55,7 +55,8 @@ def answers(one):
 
 
 QUESTIONS = (
-    "how deep: the tip", "its interval, by the cells", "how deep: as wide as the jet's widest slug", "its interval, by the cells",
+    "how deep: as wide as the jet's widest slug", "its interval, by the cells",
+    "how deep: the tip of the thread behind", "its interval, by the cells",
     "what hole: entrance in the casing and in the rock", "what hole: volume", "its interval, by the cells", "how damaged: half-way down",
     "how much it flows: skin there", "how much it flows: core flow efficiency of the whole hole, fed from its side",
     "how sure: energy lost by the method", "how sure: least certain of the rock", "time and memory, two ranks",

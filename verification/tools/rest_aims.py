@@ -2,8 +2,6 @@
 """What was aimed at for a hole at rest, and how much of it is reached: rows of docs/trade.md, from depth_shots.json and
 depth_scatter.json of verification/results."""
 
-from scipy.optimize import brentq
-
 from tools import depth_shots_table as shots_of
 
 SHOTS = "verification/depth_shots.py BARRENO"
@@ -24,16 +22,6 @@ def deck():
     return runs, means
 
 
-def order_of(values):
-    """p of f = f_0 + a n^-p through the last three sizes n, or None where there is none above 0 that explains them."""
-    (n1, f1), (n2, f2), (n3, f3) = sorted(values.items())[-3:]
-    if (f2 - f1) * (f3 - f2) <= 0.0:
-        return None
-    ratio = (f3 - f2) / (f2 - f1)
-    misfit = lambda p: (n2**-p - n3**-p) / (n1**-p - n2**-p) - ratio  # noqa: E731
-    return brentq(misfit, 1e-6, 40.0) if misfit(1e-6) * misfit(40.0) < 0.0 else None
-
-
 def last_two_rows(means):
     for what, bar in LAST_TWO.items():
         *_, before, last = sorted(means[what])
@@ -46,7 +34,7 @@ def last_two_rows(means):
 def order_rows(means):
     for what in shots_of.WHAT:
         sizes = sorted(means[what])[-3:]
-        order = order_of(means[what])
+        order = shots_of.order_of(means[what])
         values = [means[what][size] for size in sizes]
         within = (max(values) - min(values)) / values[-1]
         missed = f"missed: the changes do not fall from size to size; the last three lie within {100 * within:.1f} %"

@@ -563,7 +563,7 @@ TEST(DividedError, IsThatOfTheTableAndBetweenItsCells) {
     EXPECT_NEAR(volume.error.high, one->volume.high, 1e-9);
     Scene bare = scene;
     bare.bodies[1].initial_pressure = 0.0;
-    EXPECT_NEAR(volume_doubt(bare, 200e-6, found).error.high, one->bare_volume.high, 1e-9);
+    EXPECT_TRUE(says(volume_doubt(bare, 200e-6, found).unknown, "of 34 MPa and more only"));
   }
   const DepthDoubt middle = with_cells(std::sqrt(coarse.cells_per_radius * fine.cells_per_radius));
   EXPECT_NEAR(middle.error.value, 0.5 * (coarse.depth.value + fine.depth.value), 1e-9);
