@@ -13,6 +13,7 @@ import pathlib
 import sys
 
 from tools import foreign_python  # noqa: F401
+from tools.flow_efficiency import efficiency_of
 from tools.runs import run_deck
 from tools.write_pages import write_pages
 
@@ -23,11 +24,10 @@ DISTANCES = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16)  # mm from the wall
 PARTS = (0.25, 0.5, 0.75)  # of the hole's length in rock
 
 
-def efficiency_of(rings, permeability):
-    from barreno.flow.solve import solve
+def answers_of(rings, permeability):
     from barreno.flow.surge_table import skin_of
 
-    efficiency = solve(rings, permeability, "radial").rate / solve(rings, rings.virgin_mobility, "radial").rate
+    efficiency = efficiency_of(rings, permeability)
     return {"efficiency": round(efficiency, 5), "skin": round(skin_of(efficiency, rings), 3)}
 
 
@@ -37,7 +37,7 @@ def flow_of(run, cell):
 
     rings = rings_of(run, None, cell)
     whole = permeability_of(rings.permeability > 0.0, rings.porosity, 0.0, rings.virgin)
-    return {"broken": efficiency_of(rings, rings.permeability), "whole": efficiency_of(rings, whole),
+    return {"broken": answers_of(rings, rings.permeability), "whole": answers_of(rings, whole),
         "length": round(rings.hole_length, 6), "radius": round(rings.hole_radius, 6)}  # fmt: skip
 
 

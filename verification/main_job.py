@@ -12,6 +12,7 @@ import pathlib
 import sys
 
 from tools import foreign_python  # noqa: F401
+from tools.flow_efficiency import efficiency_of
 from tools.penetration import between_particles_and_grid
 from tools.runs import run_deck
 from tools.write_pages import write_pages
@@ -23,15 +24,14 @@ KEPT = ("depth", "probed_depth", "depth_in_body", "entrance_diameter_in_body", "
     "depth_error", "probed_depth_error", "channel_volume_error", "least_certain", "rest")  # fmt: skip
 
 
-def efficiency_of(folder):
-    """Core flow efficiency of the whole hole, as `barreno flow` finds it."""
+def flow_of(folder):
+    """Core flow efficiency of the hole of a run."""
     from barreno.flow.rings import rings_of
-    from barreno.flow.solve import solve
     from barreno.report.run import opened
 
     with opened(folder) as run:
         rings = rings_of(run, None, RING)
-        return solve(rings, rings.permeability, "radial").rate / solve(rings, rings.virgin_mobility, "radial").rate
+        return efficiency_of(rings, rings.permeability)
 
 
 def measured(barreno, deck):
@@ -39,7 +39,7 @@ def measured(barreno, deck):
     finished = run_deck(barreno, deck, {"Output/Field Interval": "0 us"}, ranks=2)
     summary = finished.summary
     found = {name: summary["penetration"][name] for name in KEPT if name in summary["penetration"]}
-    return {**found, "efficiency": efficiency_of(finished.folder), "end": summary["time"], "seconds": summary["wall_seconds"],
+    return {**found, "efficiency": flow_of(finished.folder), "end": summary["time"], "seconds": summary["wall_seconds"],
         "bytes": summary["peak_resident_bytes"], "lost": between_particles_and_grid(finished)}  # fmt: skip
 
 

@@ -231,7 +231,8 @@ def converged():
     if known:
         sentence += f" The last three sizes give an order of convergence of {listed(known) if len(known) > 1 else known[0]}."
     if without:
-        sentence += f" The changes of {listed(without) if len(without) > 1 else without[0]} do not fall from size to size: no order can be measured."
+        names = listed(without) if len(without) > 1 else without[0]
+        sentence += f" The changes of {names} do not fall from size to size: no order can be measured."
     return sentence
 
 

@@ -90,8 +90,7 @@ struct FlowRule {
   share(const R& x, const R& evp, const CapOf<R>& cap, const R& intact = R{} + 1.0) const {
     R room = intact * (1.0 - per_strain * real::larger(evp, 0.0));
     if (broken > 0.0)
-      room += broken * (1.0 - intact) *
-              real::smaller(real::larger(R(-per_strain * evp), 0.0), 1.0);
+      room += broken * (1.0 - intact) * real::smaller(real::larger(R(-per_strain * evp), 0.0), 1.0);
     room = real::larger(room, least);
     const R pressed = real::exp(R((per_pressure / 3.0) * real::smaller(x, 0.0)));
     const R left = real::larger(R(room * pressed), least_of_all);
