@@ -14,7 +14,7 @@ namespace {
 constexpr const char* file_name = "range_effects.csv";
 constexpr std::size_t most_named = 2;
 
-/// Parts of "card; parameter; range; known"; fewer than four of another text.
+/// Parts of "card; parameter; range; known; until"; another number of another text.
 std::vector<std::string> parts_of(const std::string& name) {
   const std::string between = "; ";
   std::vector<std::string> parts;
@@ -29,12 +29,13 @@ std::vector<std::string> parts_of(const std::string& name) {
 std::string take_rows(const MeasuredTable& table, std::vector<RangeEffect>& effects) {
   for (const MeasuredTable::Row& row : table.rows) {
     const std::vector<std::string> parts = parts_of(row.name);
-    if (parts.size() != 4) return "\"" + row.name + "\" is no card, parameter, range and source";
+    if (parts.size() != 5)
+      return "\"" + row.name + "\" is no card, parameter, range, source and end";
     const std::vector<double>& n = row.numbers;
     if (std::any_of(n.begin(), n.end(), [](double change) { return change <= -1.0; }))
       return "a change of \"" + row.name + "\" leaves no hole";
     effects.push_back(
-        {parts[0], parts[1], parts[2], parts[3], {n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}}
+        {parts[0], parts[1], parts[2], parts[3], parts[4], {n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}}
     );
   }
   return effects.empty() ? "it has no rows" : "";
@@ -103,7 +104,9 @@ std::string least_certain_sentence(const LeastCertain& least) {
             " (" + effect.range + ", " + effect.known + ") changes the depth by " +
             percent_range(effect.depth) + ", the volume of the hole by " +
             percent_range(effect.volume);
-  return text.empty() ? text : text + " (of perforation.xml, docs/materials/arenisca.md)";
+  if (text.empty()) return text;
+  return text + " (of perforation.xml to " + least.worst.front().until +
+         ", docs/materials/arenisca.md)";
 }
 
 }  // namespace barreno

@@ -16,6 +16,7 @@ struct RangeEffect {
   std::string parameter;  ///< of the card
   std::string range;      ///< "96.37 MPa to 430.7 MPa"
   std::string known;      ///< "fitted", "recalled", "assumed" or "derived"
+  std::string until;      ///< when the runs ended that measured it, with its unit
   /// The answer over that of the card's own value less 1, with the lower and with the upper end.
   struct Change {
     double at_low = 0.0, at_high = 0.0;

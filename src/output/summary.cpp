@@ -210,6 +210,7 @@ void put_least_certain(Json& json, const Scene& scene) {
     Json& one = all["range_of"][effect.parameter];
     one["range"] = effect.range;
     one["known"] = effect.known;
+    one["until"] = effect.until;
     put(one["depth"], effect.depth);
     put(one["probed_depth"], effect.probed_depth);
     put(one["channel_volume"], effect.volume);

@@ -27,11 +27,12 @@ def volume(one):
 def least_certain(one):
     """What the ranges of the rock's card change, over the depth and the volume."""
     found = one.get("least_certain", {}).get("range_of", {})
+    ends = sorted({at["until"] for at in found.values() if "until" in at})
     return "; ".join(
         f"{name}, which changes the depth by {100 * at['depth']['at_low']:+.0f} to {100 * at['depth']['at_high']:+.0f} %, the volume by "
         f"{100 * at['channel_volume']['at_low']:+.0f} to {100 * at['channel_volume']['at_high']:+.0f} %"
         for name, at in found.items()
-    ) or "not measured"  # fmt: skip
+    ) + (f" (runs to {' and '.join(ends)})" if ends else "") or "not measured"  # fmt: skip
 
 
 def zones(one):

@@ -84,7 +84,7 @@ def range_effects():
     rows = []
     for card, found in range_effects_table.cards().items():
         for row in found["rows"]:
-            name = "; ".join((card, row["parameter"], f"{row['low']} to {row['high']}", row["known"]))
+            name = "; ".join((card, row["parameter"], f"{row['low']} to {row['high']}", row["known"], found["until"]))
             changes = [range_effects_table.changes(row, found["middle"], of) for of in ("depth", "probed_depth", "channel_volume")]
             rows.append([name, *(f"{change:.4f}" for pair in changes for change in pair)])
     return table(head, columns, rows)

@@ -67,6 +67,7 @@ TEST(MeasuredNumbers, RangesOfRockAreInstalledInWhole) {
   EXPECT_EQ(effects.rows[0].parameter, "STREN");
   EXPECT_EQ(effects.rows[0].range, "96.37 MPa to 430.7 MPa");
   EXPECT_EQ(effects.rows[0].known, "fitted");
+  EXPECT_EQ(effects.rows[0].until, "300 us");
   EXPECT_LT(effects.rows[0].volume.at_high, -0.3);
   EXPECT_GT(effects.rows[0].volume.at_low, 0.05);
   const Copy copy;
