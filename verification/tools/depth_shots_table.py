@@ -10,8 +10,7 @@ from tools.depth_shots import SHOTS, STEP, TIMES, UNLIKE, widest_slug
 
 DECK = "the deck"
 # Shots that the intervals are made from; others try them.
-MADE_FROM = (DECK, "no confinement", "former rock", "former rock, no confinement", "former rock, no steel casing",
-    "former rock, losses returned")  # fmt: skip
+MADE_FROM = (DECK, "former rock", "former rock, no confinement", "former rock, no steel casing", "former rock, losses returned")
 BARE = ("no confinement", "former rock, no confinement", "former rock, jet faster by a tenth, no confinement")  # volume: unknown
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
