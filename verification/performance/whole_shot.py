@@ -4,7 +4,7 @@
 
     whole_shot.py BARRENO --before PROGRAM [--document] [--end "300 us"]
 
-runs perforation.xml with fast and balanced by both programs at the same time, one core each; --document writes
+runs perforation.xml, with its former rock, with fast and balanced by both programs at the same time, one core each; --document writes
 verification/results/whole_shot.json and the table of docs/performance.md. Losses stay lost, but for the last row of BARRENO alone.
 """
 import argparse
@@ -30,10 +30,11 @@ VERBS = ("solve_velocity", "carry_tile_steps")
 
 
 def measured(barreno, fidelity, settings, end):
+    from tools.depth_shots import FORMER, HEATED
     from tools.runs import run_deck
 
     with tempfile.TemporaryDirectory() as folder:
-        entries = {"Fidelity": fidelity, "Time/End Time": end, "Output/Field Interval": "0 us", **settings}
+        entries = {"Fidelity": fidelity, **FORMER, **HEATED, "Time/End Time": end, "Output/Field Interval": "0 us", **settings}
         summary = run_deck(barreno, DECK, entries, folder=pathlib.Path(folder) / "run").summary
     verbs = {name: summary["phases"][name]["seconds"] for name in VERBS if name in summary["phases"]}
     whole = {name: summary[name] for name in ("steps", "particle_steps")}
@@ -42,7 +43,9 @@ def measured(barreno, fidelity, settings, end):
 
 def stored_part():
     data = json.loads(STORED.read_text())
-    lines = [f"`{DECK}` to {data['end']}, one core; nodes solved in every part of a step (before), and steady nodes once.", "",
+    said = f"`{DECK}` with `berea_sandstone_bounded`, to {data['end']}, one core; nodes solved in every part of a step (before), and steady " \
+        "nodes once."
+    lines = [said, "",
         "| fidelity | program | seconds | steps | particle-steps, millions | solve_velocity [s] | carry_tile_steps [s] | depth [mm] |",
         "|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for row, programs in data["rows"].items():
