@@ -43,8 +43,8 @@ def measured(barreno, fidelity, settings, end):
 
 def stored_part():
     data = json.loads(STORED.read_text())
-    said = f"`{DECK}` with `berea_sandstone_bounded`, to {data['end']}, one core; nodes solved in every part of a step (before), and steady " \
-        "nodes once."
+    said = f"`{DECK}` with `berea_sandstone_bounded`, to {data['end']}, one core; nodes solved in every part of a step (before), and " \
+        "steady nodes once."
     lines = [said, "",
         "| fidelity | program | seconds | steps | particle-steps, millions | solve_velocity [s] | carry_tile_steps [s] | depth [mm] |",
         "|---|---|---|---|---|---|---|---|"]  # fmt: skip
