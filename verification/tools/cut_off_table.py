@@ -3,14 +3,14 @@
 import json
 
 from tools.case_list import RESULTS
+from tools.depth_shots import ROCK
 from tools.verification_pages import table
 
 STORED = RESULTS / "cut_off.json"
 END = "600 us"
 GROWTH = 0.001  # what is still to come, where a hole counts as one that has stopped growing
-CARD = "Materials/Sandstone/Card"
 ROWS = {
-    "`berea_sandstone_bounded`": {CARD: "berea_sandstone_bounded.xml"},
+    "`berea_sandstone_bounded`": {ROCK: "berea_sandstone_bounded.xml"},
     "`berea_sandstone_heat`, losses returned": {"Step/Return Losses": "true"},
 }
 HEAD = ["card of the rock", "as wide as the jet [mm]", "not more after [us]", "its volume [cm3]", "not more after [us]",

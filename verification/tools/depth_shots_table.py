@@ -11,7 +11,6 @@ from tools.depth_shots import SHOTS, STEP, TIMES, UNLIKE, widest_slug
 DECK = "the deck"
 # Shots that the intervals are made from; others try them.
 MADE_FROM = (DECK, "former rock", "former rock, no confinement", "former rock, no steel casing", "former rock, losses returned")
-BARE = ("no confinement", "former rock, no confinement", "former rock, jet faster by a tenth, no confinement")  # volume: unknown
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 WHAT = ("depth", "probed depth", "volume")
@@ -92,6 +91,11 @@ def doubt(runs, what):
     return max(map(abs, changes(runs, before, finest, what)))
 
 
+def is_bare(shot):
+    """Whether nothing holds the rock of a shot, the volume of whose hole does not rest."""
+    return SHOTS[shot][0].get("Confinement") == ""
+
+
 def ranges_of(shot, cells, what):
     """Errors of a shot beside the deck with some cells, at every time that counts."""
     runs, others = shots()[DECK], shots()[shot]
@@ -119,7 +123,7 @@ def errors():
             of_deck = changes(runs, cells, finest, what)
             ranges = [*of_deck, 0.0]  # what was found may be right
             for shot in MADE_FROM[1:]:
-                if what != "volume" or shot not in BARE:
+                if what != "volume" or not is_bare(shot):
                     ranges += ranges_of(shot, cells, what)
             more = doubt(runs, what) + scatter(what)
             found.setdefault(cells, {})[what] = (of_deck[-1], min(ranges) - more, max(ranges) + more)
@@ -138,7 +142,7 @@ def trials():
     for shot, runs in shots().items():
         finest = max(runs)
         for cells in sorted(runs):
-            for what in [of for of in WHAT if of != "volume" or shot not in BARE] if cells < finest and cells in known else ():
+            for what in [of for of in WHAT if of != "volume" or not is_bare(shot)] if cells < finest and cells in known else ():
                 depth, truth = (at(runs[c], what, REST) for c in (cells, finest))
                 error = known[cells][what]
                 interval = depth / (1.0 + error[2]), depth / (1.0 + error[1])
@@ -318,6 +322,6 @@ def crushed_table():
 
 
 def trials_section():
-    head = TRIALS.format(rest=REST, made=listed(MADE_FROM))
+    head = TRIALS.format(rest=REST, made=listed([f"*{shot}*" for shot in MADE_FROM]))
     return "\n".join([head, *table(), "", *summary(), "", "### Scatter", "", *scatter_table(), "",
         CRUSHED, *crushed_table(), "", SKIN])
