@@ -253,8 +253,7 @@ std::string why_depth_error_unknown(
   std::string why = why_scene_unmeasured(tables, scene);
   if (!why.empty()) return why;
   const MaterialSpec& jet = scene.materials[static_cast<std::size_t>(scene.jet.material)];
-  const BodySpec& body =
-      longest_body(scene, solid_layers(path_layers(scene, widest_radius(scene))));
+  const BodySpec& body = *longest_solid(scene);  // the scene is as measured, with one
   if (breaks(jet))
     return "it was measured with tungsten that does not break only, not with the Spall Stress or "
            "damage of " +

@@ -24,8 +24,8 @@ constexpr double round_off = 1e-6;
 
 /// Broken rock that nothing holds flies apart, and its hole goes on growing.
 bool is_bare(const Scene& scene) {
-  const std::vector<PathLayer> solids = solid_layers(path_layers(scene, widest_radius(scene)));
-  return !solids.empty() && longest_body(scene, solids).initial_pressure < least_confinement;
+  const BodySpec* rock = longest_solid(scene);
+  return rock != nullptr && rock->initial_pressure < least_confinement;
 }
 
 bool is_like(double ratio) {

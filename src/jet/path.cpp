@@ -127,6 +127,11 @@ const BodySpec& longest_body(const Scene& scene, const std::vector<PathLayer>& l
   return scene.bodies[longest->body];
 }
 
+const BodySpec* longest_solid(const Scene& scene) {
+  const std::vector<PathLayer> solids = solid_layers(path_layers(scene, widest_radius(scene)));
+  return solids.empty() ? nullptr : &longest_body(scene, solids);
+}
+
 JetOrigin launched_jet(const Scene& scene) {
   JetOrigin origin;
   origin.bodies = {static_cast<int>(scene.bodies.size())};

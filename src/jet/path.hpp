@@ -62,6 +62,9 @@ std::vector<PathLayer> solid_layers(std::vector<PathLayer> layers);
 
 /// The longest body in the jet's path; there is one.
 const BodySpec& longest_body(const Scene& scene, const std::vector<PathLayer>& layers);
+/// The longest solid body that the jet meets, whose material decides its depth; null: it meets
+/// none.
+const BodySpec* longest_solid(const Scene& scene);
 
 /// How much of a body's layer lies above a depth [length].
 double depth_in(const PathLayer& layer, const JetPath& path, double depth);

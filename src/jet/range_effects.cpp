@@ -87,13 +87,12 @@ const RangeEffects& range_effects() {
 LeastCertain least_certain(const Scene& scene, const RangeEffects& effects) {
   LeastCertain least;
   if (!scene.jet.present) return least;
-  const std::vector<PathLayer> solids = solid_layers(path_layers(scene, widest_radius(scene)));
-  if (solids.empty()) return least;
-  const BodySpec& body = longest_body(scene, solids);
-  const std::string card = card_of(scene.materials[static_cast<std::size_t>(body.material)]);
+  const BodySpec* body = longest_solid(scene);
+  if (body == nullptr) return least;
+  const std::string card = card_of(scene.materials[static_cast<std::size_t>(body->material)]);
   for (const RangeEffect& effect : effects.rows)
     if (effect.card == card && least.worst.size() < most_named) least.worst.push_back(effect);
-  if (!least.worst.empty()) least.body = body.name;
+  if (!least.worst.empty()) least.body = body->name;
   return least;
 }
 
