@@ -134,24 +134,44 @@ TEST(Dilatancy, IsWholeAtTheEndOfTheCap) {
   EXPECT_NEAR(rule.share(0.5 * (cap.kappa + cap.X), 0.0, cap), 0.5, 0.01);
 }
 
-/// Broken rock that is denser than at the start dilates, the less the nearer it is to that volume.
-TEST(Dilatancy, EndsAtTheFirstVolumeWhereRockIsBroken) {
+FlowRule rule_of_broken_rock(double broken) {
   Parameters p{};
   p.BETA_nonassociativity = 1.0;
   p.dilatancy_limit = 0.05;
-  p.broken_dilatancy = 0.5;
-  const FlowRule rule = FlowRule::make(p);
+  p.broken_dilatancy = broken;
+  return FlowRule::make(p);
+}
+
+/// Broken rock that is denser than at the start dilates, the less the nearer it is to that volume.
+TEST(Dilatancy, EndsAtTheFirstVolumeWhereRockIsBroken) {
+  const FlowRule rule = rule_of_broken_rock(0.5);
   const Cap none{};
   const double tension = 1.0;
-  EXPECT_NEAR(rule.share(tension, -0.02, none, 0.0), 0.5 * 0.4, 1e-14);
-  EXPECT_NEAR(rule.share(tension, -0.2, none, 0.0), 0.5, 1e-14);
-  EXPECT_NEAR(rule.share(tension, 0.0, none, 0.0), FlowRule::least, 1e-14);
-  EXPECT_NEAR(rule.share(tension, 0.03, none, 0.0), FlowRule::least, 1e-14);
+  const double whole = FlowRule::least;  // what whole rock keeps, wherever it is
+  EXPECT_NEAR(rule.share(tension, -0.02, none, 0.0), whole + 0.5 * 0.4, 1e-14);
+  EXPECT_NEAR(rule.share(tension, -0.2, none, 0.0), whole + 0.5, 1e-14);
+  EXPECT_NEAR(rule.share(tension, 0.0, none, 0.0), whole, 1e-14);
+  EXPECT_NEAR(rule.share(tension, 0.03, none, 0.0), whole, 1e-14);
   EXPECT_NEAR(rule.share(tension, -0.02, none, 0.25), 0.25 + 0.75 * 0.2, 1e-14) << "broken in part";
   EXPECT_NEAR(rule.share(tension, -0.02, none, 1.0), 1.0, 1e-14) << "whole";
-  p.broken_dilatancy = 0.0;
-  const double without = FlowRule::make(p).share(tension, -0.02, none, 0.25);
+  const double without = rule_of_broken_rock(0.0).share(tension, -0.02, none, 0.25);
   EXPECT_EQ(without, 0.25) << "it ends with damage";
+}
+
+/// ... and the less the nearer the pressure is to that at which the cap begins.
+TEST(Dilatancy, EndsAtTheBranchPointWhereRockIsBroken) {
+  const FlowRule rule = rule_of_broken_rock(1.0);
+  Cap cap;
+  cap.present = true;
+  cap.X = -3e9;
+  cap.kappa = -1.8e9;
+  const double whole = FlowRule::least;
+  EXPECT_NEAR(rule.share(1e6, -0.2, cap, 0.0), whole + 1.0, 1e-14);
+  EXPECT_NEAR(rule.share(0.25 * cap.kappa, -0.2, cap, 0.0), whole + 0.75, 1e-14);
+  EXPECT_NEAR(rule.share(0.25 * cap.kappa, -0.02, cap, 0.0), whole + 0.75 * 0.4, 1e-14);
+  EXPECT_NEAR(rule.share(cap.kappa, -0.2, cap, 0.0), whole, 1e-14);
+  EXPECT_NEAR(rule.share(cap.X, -0.2, cap, 0.0), 1.0, 1e-14) << "compacts as without damage";
+  EXPECT_NEAR(rule.share(0.5 * cap.kappa, -0.2, Cap{}, 0.0), whole + 1.0, 1e-14) << "no cap";
 }
 
 TEST(Dilatancy, OfBrokenRockNeedsALimit) {

@@ -16,7 +16,13 @@ MEGA = 1e6
 WIDTHS = (0.25e-3, 1e-3, 4e-3)  # of a crack [m]
 CONFINEMENTS = (0.0, 10.0, 50.0)  # [MPa]
 SHORTENING, STEP = 0.12, 1e-4
-CRUSHING, AFTER, LONG, FINE = 800.0, 10.0, 0.4, 5e-5  # [MPa, MPa, -, -]: a test of rock that was crushed before, and its increments
+# Tests of rock that was crushed before: pressures that crushed it and of the test [MPa], Broken dilatancy, and its critical state or none.
+AFTER_CRUSHING = ((800.0, 10.0, 0.0, None), (800.0, 10.0, 1.0, "first volume"), (1500.0, 300.0, 1.0, "branch point"))
+# What is left at the end of crushing, or of the distance from the branch point; and whether that is the least. Half, because that distance
+# falls with the shear as in a decay.
+LEFT = {None: (0.7, True), "first volume": (0.1, False), "branch point": (0.5, False)}
+LONG, FINE = 0.4, 1e-4  # shortening of such a test, and its increments
+BONDS = 1e9  # Damage pressure of these tests [Pa]: crushed rock breaks at once
 PARTS = 800  # increments of a test in tension to full damage
 NEARLY = 0.98  # damage at which such a test ends: broken rock has no stiffness, and what is left takes 4e-4 of the work
 COLUMNS = ["test", "quantity", "computed", "exact", "difference, relative"]
@@ -131,38 +137,47 @@ def crushed(result, library):
         result.demand("hydrostatic, 2 GPa: pores crushed by", -plug.get("plastic_volume_strain"), 0.1, at_least=True)
 
 
+def crushed_and_sheared(material, crushing, after):
+    """@return  volumetric plastic strain after crushing, and rows of the triaxial test"""
+    plug = Plug(material, None)
+    while plug.pressure() < crushing * MEGA:
+        plug.squeeze(-STEP)
+    while plug.pressure() > 1.2 * after * MEGA:
+        plug.squeeze(0.1 * STEP)
+    plug.confine(after * MEGA)
+    start, rows = plug.get("plastic_volume_strain"), []
+    for _ in range(round(LONG / FINE)):
+        plug.shorten(-FINE, after * MEGA)
+        rows.append([plug.get(name) for name in ("equivalent_plastic_strain", "damage", "plastic_volume_strain")])
+    return start, np.array(rows).T
+
+
 def sheared_after_crushing(result, library):
-    """Triaxial test of rock that was crushed before: with Broken dilatancy it dilates until it has its first volume again."""
-    for broken in (0.0, 1.0):
+    """Triaxial tests of rock that was crushed before: with Broken dilatancy it dilates until it is in its critical state."""
+    for crushing, after, broken, critical in AFTER_CRUSHING:
         with tempfile.TemporaryDirectory() as folder:
-            file = write_card(folder, CARDS_FOLDER / f"{CARD}.xml", {"Broken dilatancy": broken})
+            file = write_card(folder, CARDS_FOLDER / f"{CARD}.xml", {"Broken dilatancy": broken, "Damage pressure": BONDS})
             exact = BreakingRock(card_numbers(file))
             with Material(file, library) as material:
-                plug = Plug(material, None)
-                while plug.pressure() < CRUSHING * MEGA:
-                    plug.squeeze(-STEP)
-                while plug.pressure() > 1.2 * AFTER * MEGA:
-                    plug.squeeze(0.1 * STEP)
-                plug.confine(AFTER * MEGA)
-                crushed = plug.get("plastic_volume_strain")
-                rows = []
-                for _ in range(round(LONG / FINE)):
-                    plug.shorten(-FINE, AFTER * MEGA)
-                    rows.append([plug.get(name) for name in ("equivalent_plastic_strain", "damage", "plastic_volume_strain")])
-        shear, damage, volume = np.array(rows).T
+                start, (shear, damage, volume) = crushed_and_sheared(material, crushing, after)
         flows = shear > 1e-4
         ways = np.concatenate([[0.0], shear[flows]])
-        D, evp, *_ = (part[1:] for part in exact.path(-AFTER * MEGA, ways, -1, exact.card["Fracture strain"], crushed))
-        name = f"crushed at {CRUSHING:g} MPa, triaxial at {AFTER:g} MPa, Broken dilatancy {broken:g}"
+        D, evp, _, axial = (part[1:] for part in exact.path(-after * MEGA, ways, -1, exact.card["Fracture strain"], start))
+        name = f"crushed at {crushing:g} MPa, triaxial at {after:g} MPa, Broken dilatancy {broken:g}"
         for quantity, difference in {
             "damage on the way": np.abs(damage[flows] - D).max(),
-            "plastic volume strain on the way, over that of crushing": np.abs(volume[flows] - evp).max() / -crushed,
+            "plastic volume strain on the way, over that of crushing": np.abs(volume[flows] - evp).max() / -start,
         }.items():
             result.rows.append([name, quantity, "", "", float(difference)])
             result.demand(f"{name}: {quantity}", float(difference), 0.02)
-        result.rows.append([name, "plastic volume strain, crushed and at the end", float(crushed), "", float(volume[-1])])
-        left = float(volume[-1] / crushed)
-        result.demand(f"{name}: what is left of crushing", left, *((0.7,) if broken == 0.0 else (0.1,)), at_least=broken == 0.0)
+        result.rows.append([name, "plastic volume strain, crushed and at the end", float(start), "", float(volume[-1])])
+        left = float(volume[-1] / start)
+        if critical == "branch point":
+            before, after_all = (float(1.0 - (axial[k] - 2.0 * after * MEGA) / exact.branch_point(1.0, volume[k])[0]) for k in (0, -1))
+            result.rows.append([name, "distance from the branch point over it, at the start and at the end", before, "", after_all])
+            left = after_all / before
+        bound, at_least = LEFT[critical]
+        result.demand(f"{name}: what is left", left, bound, at_least=at_least)
 
 
 def whole_rock(result, library):

@@ -16,7 +16,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 from tools.case import Result
 from tools.penetration import between_particles_and_grid
-from tools.plug import Plug, changed_card
+from tools.plug import Plug, write_card
 from tools.runs import run_deck
 
 CARDS_FOLDER = pathlib.Path(__file__).resolve().parents[2] / "materials" / "cards"
@@ -104,7 +104,7 @@ def squeezed(library, name, more):
     """Rows of axial stress, density, pressure and sqrt(J2) under uniaxial strain."""
     rows = []
     with tempfile.TemporaryDirectory() as folder:
-        file = changed_card(folder, CARDS_FOLDER / f"{name}.xml", more)
+        file = write_card(folder, CARDS_FOLDER / f"{name}.xml", more)
         with Material(file, library) as material:
             plug = Plug(material, None)
             while -plug.stress[0, 0] < 1.05 * STRESSES[-1] * GIGA:

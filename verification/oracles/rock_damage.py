@@ -27,15 +27,19 @@ class BreakingRock:
         left = np.exp(-rate * y)
         return room * (1.0 - left) + c["YSLOPE"] * y, -(room * rate * left + c["YSLOPE"])
 
-    def cap(self, x, damage, evp):
-        """Factor of the strength, its slope, and how far along the cap x is."""
+    def branch_point(self, damage, evp):
+        """kappa and X."""
         c = self.card
         if evp > 0.0:
             X = c["p0_crush_curve"] * (1.0 + evp) ** (1.0 / (c["p0_crush_curve"] * c["p1_crush_curve"] * c["p3_crush_curve"]))
         else:
             X = c["p0_crush_curve"] + np.log1p(evp / c["p3_crush_curve"]) / c["p1_crush_curve"]
         peak = (1.0 - damage) * c["PEAKI1"]
-        kappa = peak - c["CR"] * (peak - X)
+        return peak - c["CR"] * (peak - X), X
+
+    def cap(self, x, damage, evp):
+        """Factor of the strength, its slope, and how far along the cap x is."""
+        kappa, X = self.branch_point(damage, evp)
         if x >= kappa:
             return 1.0, 0.0, 0.0
         along = (kappa - x) / (kappa - X)
@@ -45,6 +49,13 @@ class BreakingRock:
     def strength(self, x, damage, evp):
         (limit, slope), (factor, rise, along) = self.limit(x, damage), self.cap(x, damage, evp)
         return limit * factor, slope * factor + limit * rise, along
+
+    def denser(self, x, damage, evp):
+        """How far broken rock is from the volume and the pressure at which it shears without dilating, from 0 to 1 (18.4)."""
+        c = self.card
+        if c["Broken dilatancy"] == 0.0:
+            return 0.0
+        return min(max(-evp, 0.0) / c["Dilatancy limit"], 1.0) * min(max(1.0 - x / self.branch_point(damage, evp)[0], 0.0), 1.0)
 
     def axial_stress(self, side, damage, evp, sign):
         """Where the path under constant stress at the side meets the surface: sign 1 in tension, -1 in compression."""
@@ -70,8 +81,7 @@ class BreakingRock:
         if c["Dilatancy limit"] > 0.0 or c["Dilatancy pressure"] > 0.0:
             room = 1.0 - max(evp, 0.0) / c["Dilatancy limit"] if c["Dilatancy limit"] > 0.0 else 1.0
             pressed = np.exp(-pressure / c["Dilatancy pressure"]) if c["Dilatancy pressure"] > 0.0 else 1.0
-            denser = min(max(-evp, 0.0) / c["Dilatancy limit"], 1.0) if c["Broken dilatancy"] > 0.0 else 0.0
-            left = max(room * (1.0 - damage) + damage * c["Broken dilatancy"] * denser, 1e-4) * pressed
+            left = max(room * (1.0 - damage), 1e-4) * pressed + damage * c["Broken dilatancy"] * self.denser(x, damage, evp)
             share *= left + (1.0 - left) * along
         volume = -3.0 * ROOT_3 * share * slope
         weight = (np.exp(-pressure / c["Damage pressure"]) if c["Damage pressure"] > 0.0 else 1.0) * (1.0 - along)

@@ -12,23 +12,14 @@ JUMP = 1e-3
 
 
 def write_card(folder, card, parameters):
-    """A card with more parameters, as a file in a folder."""
+    """A card with parameters added or changed, as a file in a folder."""
     tree = xml.parse(card)
+    for there in [there for there in tree.getroot() if there.get("name") in parameters]:
+        tree.getroot().remove(there)
     for key, value in parameters.items():
         kind = "string" if isinstance(value, str) and not value[0].isdigit() else "double"
         tree.getroot().append(xml.Element("Parameter", name=key, type=kind, value=str(value)))
     file = pathlib.Path(folder) / "rock.xml"
-    tree.write(file)
-    return file
-
-
-def changed_card(folder, card, parameters):
-    """A card with some of its numbers changed, as a file in a folder."""
-    tree = xml.parse(card)
-    for parameter in tree.getroot():
-        if parameter.get("name") in parameters:
-            parameter.set("value", repr(parameters[parameter.get("name")]))
-    file = pathlib.Path(folder) / "changed.xml"
     tree.write(file)
     return file
 

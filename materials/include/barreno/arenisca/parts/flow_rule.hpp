@@ -5,18 +5,23 @@
 #include "barreno/arenisca/parts/elasticity.hpp"
 #include "barreno/arenisca/parts/part.hpp"
 
+#include <limits>
+
 namespace barreno::arenisca {
 
 /// The published flow rule: the return is the closest point in z = I1/sqrt(3), r = beta sqrt(3K/G)
 /// sqrt(J2), see TrialOf; so beta acts squared on the dilatancy, which a limit or a pressure bound:
 ///
-///   beta^2 = BETA^2 (s + (1 - s) c),   s = max(m, least) exp(-max(p, 0)/p_d)
-///   m = (1 - D) (1 - max(evp, 0)/w) + D b min(max(-evp/w, 0), 1)
+///   beta^2 = BETA^2 (s + (1 - s) c),   s = max(m, least) exp(-max(p, 0)/p_d) + D b n
+///   m = (1 - D) (1 - max(evp, 0)/w),   n = min(max(-evp/w, 0), 1) min(max(1 - x/kappa, 0), 1)
 ///
 /// Sheared rock stops dilating near the volumetric plastic strain w, and dilates less under
-/// pressure, p = -I1/3. Broken rock (D) dilates only where it is denser than it was when whole, and
-/// b times as much as whole rock: its critical state is the volume at the start. On the cap, from
-/// its branch point (c = 0) to its end (c = 1), the flow becomes that of BETA again: it compacts.
+/// pressure, p = -I1/3. Broken rock (D) that is denser than it was when whole dilates b times as
+/// much as whole rock does without pressure, the less the nearer it is to its critical state: the
+/// volume at the start, or the pressure at which the cap begins, I1 = x = kappa (A. Schofield and
+/// P. Wroth, Critical State Soil Mechanics (1968), whose critical states are the top of a surface,
+/// where that joins the cap). On the cap, from its branch point (c = 0) to its end (c = 1), the
+/// flow becomes that of BETA again: it compacts.
 struct FlowRule {
   struct Parameters {
     double BETA_nonassociativity, dilatancy_limit, dilatancy_pressure, broken_dilatancy;
@@ -58,8 +63,8 @@ struct FlowRule {
              d::none,
              Bounds{0.0, 1.0, false, false},
              0.0,
-             "b: of the dilatancy of whole rock, what fully damaged rock keeps where it is denser "
-             "than at the start. 0: none"
+             "b: of the dilatancy of whole rock without pressure, what fully damaged rock has "
+             "where it is denser than in its critical state. 0: none"
          )},
         {}};
   }
@@ -83,17 +88,24 @@ struct FlowRule {
 
   double beta, per_strain, per_pressure, broken;
 
+  /// 1 - x/kappa: 1 without pressure, 0 from the branch point of the cap on.
+  template <class R>
+  BARRENO_FUNCTION static R before_cap(const R& x, const CapOf<R>& cap) {
+    const R kappa = real::select(cap.present, cap.kappa, -std::numeric_limits<double>::infinity());
+    return real::larger(real::smaller(R(1.0 - x / kappa), 1.0), 0.0);
+  }
+
   /// What is left of BETA^2 at I1 = x and volumetric plastic strain evp.
   /// @param intact  1 - D
   template <class R>
   BARRENO_FUNCTION R
   share(const R& x, const R& evp, const CapOf<R>& cap, const R& intact = R{} + 1.0) const {
-    R room = intact * (1.0 - per_strain * real::larger(evp, 0.0));
-    if (broken > 0.0)
-      room += broken * (1.0 - intact) * real::smaller(real::larger(R(-per_strain * evp), 0.0), 1.0);
-    room = real::larger(room, least);
+    const R room = real::larger(R(intact * (1.0 - per_strain * real::larger(evp, 0.0))), least);
     const R pressed = real::exp(R((per_pressure / 3.0) * real::smaller(x, 0.0)));
-    const R left = real::larger(R(room * pressed), least_of_all);
+    R left = real::larger(R(room * pressed), least_of_all);
+    if (broken > 0.0)
+      left += broken * (1.0 - intact) *
+              real::smaller(real::larger(R(-per_strain * evp), 0.0), 1.0) * before_cap(x, cap);
     return left + (1.0 - left) * place_on_cap(x, cap);
   }
 
