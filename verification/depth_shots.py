@@ -12,11 +12,13 @@ jet no longer grows. Minutes of one core each with 1.2 cells, half an hour with 
 """
 import argparse
 import json
+import os
 import pathlib
 import sys
 
 from tools import foreign_python  # noqa: F401
 from tools.depth_shots import PICTURE, SHOTS, STEP, TIMES, settings_of, widest_slug
+from tools.flow_efficiency import efficiency_of_run
 from tools.penetration import between_particles_and_grid
 from tools.runs import run_deck
 from tools.write_pages import write_pages
@@ -24,7 +26,7 @@ from tools.write_pages import write_pages
 RESULTS = pathlib.Path(__file__).resolve().parent / "results"
 STORED = RESULTS / "depth_shots.json"
 SCATTER = RESULTS / "depth_scatter.json"
-KEPT = ("depth", "probed_depth", "channel_volume", "profile", "lost", "cpu_seconds")
+KEPT = ("depth", "probed_depth", "channel_volume", "efficiency", "profile", "lost", "cpu_seconds")
 COURANT = ("0.8", "0.795", "0.79", "0.785", "0.78", "0.775", "0.77", "0.765")
 # The losses of a step stay lost, so that they can be seen.
 DIVIDED = {"Jet/Particles Per Cell": "2", "Jet/Splits": "4", "Step/Return Losses": "false", "Output/Field Interval": "0 us"}
@@ -70,6 +72,7 @@ def measured(finished, scale):
     return {
         "depth": [round(float(depth), 6) for depth in depths], "probed_depth": round(penetration["probed_depth"], 6),
         "channel_volume": penetration["channel_volume"], "zones_in_body": penetration.get("zones_in_body"),
+        "efficiency": round(efficiency_of_run(finished.folder), 6),
         "profile": profile_of(barreno.open(finished.folder).hole),
         "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
     }  # fmt: skip
@@ -102,6 +105,7 @@ def main():
     unknown = [what for what in options.what if what not in SHOTS]
     if unknown:
         parser.error(f"there is no shot '{unknown[0]}'; there are {', '.join(SHOTS)}")
+    os.environ["BARRENO_PROGRAM"] = str(options.barreno.resolve())  # which solves the flow
     for courant in COURANT if options.courant else ():
         for cells in options.cells:
             settings = {**DIVIDED, **settings_of("the deck")[0], "Jet/Cells Per Radius": cells, "Step/Courant Fraction": courant}

@@ -13,13 +13,12 @@ import pathlib
 import sys
 
 from tools import foreign_python  # noqa: F401
-from tools.flow_efficiency import efficiency_of
+from tools.flow_efficiency import RING, efficiency_of
 from tools.runs import run_deck
 from tools.write_pages import write_pages
 
 STORED = pathlib.Path(__file__).resolve().parent / "results" / "flow_runs.json"
 SETTINGS = {"Time/End Time": "120 us", "Output/Field Interval": "0 us"}
-RING = 0.5e-3  # m: cells of the flow, and half of them
 DISTANCES = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16)  # mm from the wall
 PARTS = (0.25, 0.5, 0.75)  # of the hole's length in rock
 
@@ -32,7 +31,7 @@ def answers_of(rings, permeability):
 
 
 def flow_of(run, cell):
-    """Of the hole with its broken grains, and with whole ones."""
+    """Of the hole with its broken grains, and with whole ones. @param cell  of the flow: RING and half of it [m]"""
     from barreno.flow.rings import permeability_of, rings_of
 
     rings = rings_of(run, None, cell)

@@ -12,26 +12,16 @@ import pathlib
 import sys
 
 from tools import foreign_python  # noqa: F401
-from tools.flow_efficiency import efficiency_of
+from tools.flow_efficiency import efficiency_of_run
 from tools.penetration import between_particles_and_grid
 from tools.runs import run_deck
 from tools.write_pages import write_pages
 
 STORED = pathlib.Path(__file__).resolve().parent / "results" / "main_job.json"
 DECKS = ("perforation_120us.xml", "perforation.xml")
-RING = 0.5e-3  # m: cells of the flow
 KEPT = ("depth", "probed_depth", "depth_in_body", "entrance_diameter_in_body", "channel_volume", "channel_radius_mid", "zones_in_body",
-    "depth_error", "probed_depth_error", "channel_volume_error", "least_certain", "rest")  # fmt: skip
-
-
-def flow_of(folder):
-    """Core flow efficiency of the hole of a run."""
-    from barreno.flow.rings import rings_of
-    from barreno.report.run import opened
-
-    with opened(folder) as run:
-        rings = rings_of(run, None, RING)
-        return efficiency_of(rings, rings.permeability)
+    "depth_error", "probed_depth_error", "channel_volume_error", "core_flow_efficiency_error",
+    "least_certain", "rest")  # fmt: skip
 
 
 def measured(barreno, deck):
@@ -39,7 +29,7 @@ def measured(barreno, deck):
     finished = run_deck(barreno, deck, {"Output/Field Interval": "0 us"}, ranks=2)
     summary = finished.summary
     found = {name: summary["penetration"][name] for name in KEPT if name in summary["penetration"]}
-    return {**found, "efficiency": flow_of(finished.folder), "end": summary["time"], "seconds": summary["wall_seconds"],
+    return {**found, "efficiency": efficiency_of_run(finished.folder), "end": summary["time"], "seconds": summary["wall_seconds"],
         "bytes": summary["peak_resident_bytes"], "lost": between_particles_and_grid(finished)}  # fmt: skip
 
 

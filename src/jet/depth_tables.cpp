@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
+#include <utility>
 
 namespace barreno {
 namespace {
@@ -95,29 +98,36 @@ std::string take_lengths(const Rows& rows, DepthTables& tables) {
   return {};
 }
 
+/// Whose error a row is: the depth first, then the others with the same cells.
+constexpr std::pair<std::string_view, DepthError DividedError::*> divided_rows[] = {
+    {"depth", &DividedError::depth},
+    {"probed depth", &DividedError::probed},
+    {"volume", &DividedError::volume},
+    {"efficiency", &DividedError::efficiency}};
+
 /// Rows of what, cells per radius, value, low, high.
 std::string take_divided(const Rows& rows, DepthTables& tables) {
+  std::vector<DividedError>& found = tables.divided;
   for (const MeasuredTable::Row& row : rows) {
     const double cells = row.numbers[0];
     const DepthError error{row.numbers[1], row.numbers[2], row.numbers[3]};
     if (!(error.low <= error.value && error.value <= error.high))
       return "an error is outside of its range";
-    const bool probed = row.name == "probed depth";
-    if (row.name == "depth")
-      tables.divided.push_back({cells, error, {}, {}});
-    else if (!probed && row.name != "volume")
-      return "nothing is known of rows \"" + row.name + "\"";
-    else if (tables.divided.empty() || tables.divided.back().cells_per_radius != cells)
+    const auto* const whose =
+        std::find_if(std::begin(divided_rows), std::end(divided_rows), [&](const auto& one) {
+          return one.first == row.name;
+        });
+    if (whose == std::end(divided_rows)) return "nothing is known of rows \"" + row.name + "\"";
+    if (whose == std::begin(divided_rows)) found.push_back({cells, {}, {}, {}, {}});
+    if (found.empty() || found.back().cells_per_radius != cells)
       return "a " + row.name + " does not follow the depth with the same cells";
-    else
-      (probed ? tables.divided.back().probed : tables.divided.back().volume) = error;
+    found.back().*(whose->second) = error;
   }
   const auto fewer = [](const DividedError& a, const DividedError& b) {
     return a.cells_per_radius < b.cells_per_radius;
   };
-  const std::vector<DividedError>& found = tables.divided;
-  if (found.size() < 2 || rows.size() != 3 * found.size())
-    return "it has not three errors for each of several sizes of cells";
+  if (found.size() < 2 || rows.size() != std::size(divided_rows) * found.size())
+    return "it has not four errors for each of several sizes of cells";
   return std::is_sorted(found.begin(), found.end(), fewer) ? "" : "its cells are not sorted";
 }
 

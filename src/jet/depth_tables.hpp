@@ -39,7 +39,7 @@ struct DepthError {
 /// Of jets that break, with particles that are divided (jet/divided_error.hpp).
 struct DividedError {
   double cells_per_radius = 0.0;
-  DepthError depth, probed, volume;
+  DepthError depth, probed, volume, efficiency;
 };
 
 struct DepthTables {

@@ -20,6 +20,7 @@ constexpr double least_filled = 0.051;
 constexpr double least_confinement = 34e6;  ///< of a hole whose volume rests [stress]
 /// How far another jet may be from it: no other was run.
 constexpr double farthest_jet = 1.1;
+constexpr double rested = 0.9;  ///< of measured_end: a run at rest may end earlier
 constexpr double round_off = 1e-6;
 
 /// Broken rock that nothing holds flies apart, and its hole goes on growing.
@@ -141,16 +142,52 @@ DepthDoubt probed_depth_doubt(
   return hole_doubt(scene, time, found, tables, &DividedError::probed);
 }
 
-DepthDoubt volume_doubt(
-    const Scene& scene, double time, const Penetration& found, const DepthTables& tables
+namespace {
+
+/// Of a hole whose rock something holds.
+DepthDoubt held_hole_doubt(
+    const Scene& scene,
+    double time,
+    const Penetration& found,
+    const DepthTables& tables,
+    DepthError DividedError::*whose
 ) {
-  DepthDoubt doubt = hole_doubt(scene, time, found, tables, &DividedError::volume);
+  DepthDoubt doubt = hole_doubt(scene, time, found, tables, whose);
   if (doubt.unknown.empty() && is_bare(scene))
     doubt.unknown = format(
         "it was measured under a confinement of %g MPa and more only; broken rock that nothing "
         "holds flies apart",
         1e-6 * least_confinement
     );
+  return doubt;
+}
+
+bool grains_break(const Scene& scene) {
+  const BodySpec* rock = longest_solid(scene);
+  if (rock == nullptr) return false;
+  return scene.materials[static_cast<std::size_t>(rock->material)]
+      .history_column("breakage")
+      .has_value();
+}
+
+}  // namespace
+
+DepthDoubt volume_doubt(
+    const Scene& scene, double time, const Penetration& found, const DepthTables& tables
+) {
+  return held_hole_doubt(scene, time, found, tables, &DividedError::volume);
+}
+
+DepthDoubt efficiency_doubt(
+    const Scene& scene, double time, const Penetration& found, const DepthTables& tables
+) {
+  DepthDoubt doubt = held_hole_doubt(scene, time, found, tables, &DividedError::efficiency);
+  if (!doubt.unknown.empty()) return doubt;
+  const double end = end_of(scene);
+  if (!grains_break(scene))
+    doubt.unknown = "it was measured in rock whose grains break only (Breakage energy)";
+  else if (time < rested * end)
+    doubt.unknown = format("it was measured at %.3g us only, when the hole is at rest", 1e6 * end);
   return doubt;
 }
 

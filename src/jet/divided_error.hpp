@@ -35,4 +35,14 @@ DepthDoubt volume_doubt(
     const DepthTables& tables = depth_tables()
 );
 
+/// What they do to the core flow efficiency of the hole of a run that has come to rest, fed from
+/// the side of the rock (`barreno flow`); unknown of all jets but these, and of rock whose grains
+/// do not break.
+DepthDoubt efficiency_doubt(
+    const Scene& scene,
+    double time,
+    const Penetration& found,
+    const DepthTables& tables = depth_tables()
+);
+
 }  // namespace barreno

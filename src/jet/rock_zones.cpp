@@ -43,13 +43,6 @@ double virgin_porosity(const MaterialSpec& material) {
   );
 }
 
-std::optional<int> column_of(const MaterialSpec& material, const char* name) {
-  const std::vector<HistoryField> table = material.history_table();
-  for (std::size_t i = 0; i < table.size(); ++i)
-    if (std::string(table[i].name) == name) return static_cast<int>(i);
-  return {};
-}
-
 /// Rings around the channel of one body.
 struct Rings {
   const Scene& scene;
@@ -130,14 +123,15 @@ std::optional<RockZones> zones_in(
       scene.materials[static_cast<std::size_t>(scene.bodies[layer.body].material)];
   const double virgin = virgin_porosity(rock), cell = path.bin;
   const double length = depth_in(layer, path, found.channel_depth);
-  const std::optional<int> strain = column_of(rock, "plastic_volume_strain");
+  const std::optional<int> strain = rock.history_column("plastic_volume_strain");
   if (!(virgin > 0.0) || !strain || !(length > 2.0 * half_height * cell)) return {};
   const double depth = layer.near - path.direction * path.face + 0.5 * length;
   const double wall = wall_at(path, found, depth);
   const double across =
       std::max(std::abs(scene.grid.lower[0]), std::abs(scene.grid.upper[0])) - wall;
   const int count = std::max(1, static_cast<int>(across / cell));
-  const Rings rings{scene, path, depth, wall, count, virgin, *strain, column_of(rock, "breakage")};
+  const Rings rings{
+      scene, path, depth, wall, count, virgin, *strain, rock.history_column("breakage")};
   RingSums sums(count);
   for (std::size_t set = 0; set < state.particles.size(); ++set)
     if (static_cast<int>(set) == scene.bodies[layer.body].material)

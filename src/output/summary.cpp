@@ -192,6 +192,7 @@ void put_penetration(
   if (is_divided(scene)) {
     put_depth_error(reached["probed_depth_error"], probed_depth_doubt(scene, time, p));
     put_depth_error(reached["channel_volume_error"], volume_doubt(scene, time, p));
+    put_depth_error(reached["core_flow_efficiency_error"], efficiency_doubt(scene, time, p));
   }
 }
 

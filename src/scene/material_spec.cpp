@@ -34,6 +34,13 @@ std::vector<HistoryField> MaterialSpec::history_table() const {
   return std::visit([](const auto& model) { return model.history_table(); }, material_->model);
 }
 
+std::optional<int> MaterialSpec::history_column(std::string_view field) const {
+  const std::vector<HistoryField> table = history_table();
+  for (std::size_t i = 0; i < table.size(); ++i)
+    if (field == table[i].name) return static_cast<int>(i);
+  return {};
+}
+
 bool MaterialSpec::is_porous() const {
   return std::visit(
       [](const auto& model) { return is_drainable<std::decay_t<decltype(model)>>; },

@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace barreno {
@@ -40,8 +41,10 @@ public:
   const std::string& name() const;
   std::string model_name() const;
   std::vector<HistoryField> history_table() const;  ///< of the model's internal variables
-  bool is_porous() const;                           ///< it has a fluid that can drain
-  bool holds_voids() const;                         ///< it may be expanded (scene/voids.hpp)
+  /// Of an internal variable, or none.
+  std::optional<int> history_column(std::string_view field) const;
+  bool is_porous() const;    ///< it has a fluid that can drain
+  bool holds_voids() const;  ///< it may be expanded (scene/voids.hpp)
   /// Of a metal that holds voids: solid over mean density above which heat alone keeps a shock from
   /// compressing it beyond its own density; infinite of others.
   double largest_porous_expansion() const;

@@ -14,8 +14,13 @@ MADE_FROM = (DECK, "former rock", "former rock, no confinement", "former rock, n
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 WHAT = ("depth", "probed depth", "volume")
-WORDS = {"depth": "the tip", "probed depth": "the hole as wide as the jet", "volume": "the volume of the hole"}
-UNITS = {"depth": ("mm", 1e3, 0), "probed depth": ("mm", 1e3, 0), "volume": ("cm3", 1e6, 1)}  # with a factor, and digits after the point
+FLOW = "efficiency"  # kept since the rock of a shot has Broken dilatancy
+ANSWERS = (*WHAT, FLOW)
+RESTING = ("volume", FLOW)  # only where something holds the rock
+WORDS = {"depth": "the tip", "probed depth": "the hole as wide as the jet", "volume": "the volume of the hole",
+    FLOW: "the core flow efficiency"}  # fmt: skip
+UNITS = {"depth": ("mm", 1e3, 0), "probed depth": ("mm", 1e3, 0), "volume": ("cm3", 1e6, 1), FLOW: ("-", 1.0, 3)}  # factor, digits
+STORED = {"probed depth": "wide_depth", "volume": "channel_volume", FLOW: "efficiency"}
 LIKE = 1.1  # how far the program takes another jet for that of the deck (src/jet/divided_error.cpp)
 # Standard deviations of one run by which two single runs may differ: where the interval of one is held against another (docs/trade.md).
 APART = 3.0
@@ -77,7 +82,16 @@ def times_of(what):
 def at(one, what, time):
     if what == "depth":
         return one["depth"][min(TIMES.index(time), len(one["depth"]) - 1)]  # of shots that end earlier the last
-    return one["channel_volume" if what == "volume" else "wide_depth"]
+    return one[STORED[what]]
+
+
+def knows(one, what):
+    return what == "depth" or STORED[what] in one
+
+
+def answers_of(runs):
+    """What all runs of a shot know."""
+    return [what for what in ANSWERS if all(knows(one, what) for one in runs.values())]
 
 
 def changes(runs, coarse, fine, what):
@@ -100,11 +114,13 @@ def ranges_of(shot, cells, what):
     """Errors of a shot beside the deck with some cells, at every time that counts."""
     runs, others = shots()[DECK], shots()[shot]
     own, finest = max(others), max(runs)
+    if what not in answers_of(others):
+        return []
     if cells in others and cells < own:
         lacks = changes(runs, own, finest, what) if own < finest else [0.0 for _ in times_of(what)]
         return [at(others[cells], what, time) / at(others[own], what, time) * (1.0 + lack) - 1.0
             for time, lack in zip(times_of(what), lacks)]  # fmt: skip
-    if what != "volume" or cells < own or len(others) < 2:
+    if what not in RESTING or cells < own or len(others) < 2:
         return []
     before = sorted(others)[-2]  # it may fall with smaller cells where that of the deck grows
     reach = abs(at(others[before], what, REST) / at(others[own], what, REST) - 1.0)
@@ -115,15 +131,15 @@ def errors():
     """{cells per radius: {what: (value, low, high)}}: the last error of the deck; and the range of those of MADE_FROM at every time that
     counts, widened by what the smallest cells of the deck lack and by the scatter of runs. The smallest cells of another shot have the
     error that they have in the deck, if that was run with smaller ones; of its volume they may be as far from the truth as the next
-    larger ones are from them. The volume of a hole without confinement does not rest, and makes none."""
+    larger ones are from them. The volume of a hole without confinement does not rest, and makes none, nor does the flow into it."""
     found, runs = {}, shots()[DECK]
     finest = max(runs)
     for cells in sorted(runs):
-        for what in WHAT:
+        for what in answers_of(runs):
             of_deck = changes(runs, cells, finest, what)
             ranges = [*of_deck, 0.0]  # what was found may be right
             for shot in MADE_FROM[1:]:
-                if what != "volume" or not is_bare(shot):
+                if what not in RESTING or not is_bare(shot):
                     ranges += ranges_of(shot, cells, what)
             more = doubt(runs, what) + scatter(what)
             found.setdefault(cells, {})[what] = (of_deck[-1], min(ranges) - more, max(ranges) + more)
@@ -142,7 +158,9 @@ def trials():
     for shot, runs in shots().items():
         finest = max(runs)
         for cells in sorted(runs):
-            for what in [of for of in WHAT if of != "volume" or not is_bare(shot)] if cells < finest and cells in known else ():
+            if cells == finest or cells not in known:
+                continue
+            for what in [of for of in answers_of(runs) if of not in RESTING or not is_bare(shot)]:
                 depth, truth = (at(runs[c], what, REST) for c in (cells, finest))
                 error = known[cells][what]
                 interval = depth / (1.0 + error[2]), depth / (1.0 + error[1])
@@ -156,14 +174,14 @@ Runs that should agree: the deck with Courant Fractions from 0.765 to 0.8 (`veri
 
 def scatter_table():
     head = ("cells per radius", "runs", "depth, mean [mm]", "deviation", "as wide as the jet, mean [mm]", "deviation",
-        "volume of the channel, mean [cm3]", "deviation")  # fmt: skip
+        "volume of the channel, mean [cm3]", "deviation", "core flow efficiency, mean", "deviation")  # fmt: skip
     lines = [AGREE.format(rest=REST).strip(), "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for cells, runs in sorted(repeats().items()):
         row = [f"{cells:g}", str(len(runs))]
-        for what in WHAT[:2]:
-            row += [f"{1e3 * statistics.mean(at(one, what, REST) for one in runs):.0f}", f"{100 * deviation(runs, what, REST):.1f} %"]
-        volumes = [1e6 * one["channel_volume"] for one in runs]
-        row += [f"{statistics.mean(volumes):.1f}", f"{100 * statistics.stdev(volumes) / statistics.mean(volumes):.1f} %"]
+        for what in ANSWERS:
+            _, factor, digits = UNITS[what]
+            mean = statistics.mean(at(one, what, REST) for one in runs)
+            row += [f"{factor * mean:.{digits}f}", f"{100 * deviation(runs, what, REST):.1f} %"]
         lines.append("| " + " | ".join(row) + " |")
     return lines
 
@@ -199,13 +217,14 @@ def listed(words):
 def deck_table(shot=DECK):
     """A shot with each size of cells."""
     runs, several = shots()[shot], repeats() if shot == DECK else {}
-    head = ("cells per radius of the tip", "runs", "tip [mm]", "as wide as the jet [mm]", "volume [cm3]", "lost by the method", "steps",
-        "processor time of one [s]")  # fmt: skip
+    known = answers_of(runs)
+    head = ("cells per radius of the tip", "runs", "tip [mm]", "as wide as the jet [mm]", "volume [cm3]",
+        *(["core flow efficiency"] if FLOW in known else []), "lost by the method", "steps", "processor time of one [s]")  # fmt: skip
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for cells, one in sorted(runs.items()):
         number = len(several.get(cells, [one]))
-        means = {what: mean_at(cells, one, what, REST) if shot == DECK else at(one, what, REST) for what in WHAT}
-        values = [f"{factor * means[what]:.{digits}f}" for what, (_, factor, digits) in UNITS.items()]
+        means = {what: mean_at(cells, one, what, REST) if shot == DECK else at(one, what, REST) for what in known}
+        values = [f"{UNITS[what][1] * mean:.{UNITS[what][2]}f}" for what, mean in means.items()]
         more = [f"{100 * one['lost']:.1f} %", str(one["steps"]), f"{one['cpu_seconds']:.0f}"]
         lines.append(f"| {cells:g} | {number} | " + " | ".join(values + more) + " |")
     return lines
@@ -225,9 +244,10 @@ def converged():
     """What the last smaller cells do to the hole of the deck, in words."""
     runs = shots()[DECK]
     *_, before, last = sorted(runs)
-    by = {what: 100.0 * (mean_at(last, runs[last], what, REST) / mean_at(before, runs[before], what, REST) - 1.0) for what in WHAT}
-    words = listed([f"{WORDS[what]}{' changes' if what == WHAT[0] else ''} by {by[what]:+.1f} %" for what in WHAT])
-    orders = {what: order_of({cells: mean_at(cells, one, what, REST) for cells, one in runs.items()}) for what in WHAT}
+    by = {what: 100.0 * (mean_at(last, runs[last], what, REST) / mean_at(before, runs[before], what, REST) - 1.0)
+        for what in answers_of(runs)}  # fmt: skip
+    words = listed([f"{WORDS[what]}{' changes' if what == WHAT[0] else ''} by {change:+.1f} %" for what, change in by.items()])
+    orders = {what: order_of({cells: mean_at(cells, one, what, REST) for cells, one in runs.items()}) for what in by}
     known = [f"{order:.1f} for {WORDS[what]}" for what, order in orders.items() if order is not None]
     without = [WORDS[what] for what, order in orders.items() if order is None]
     sentence = f"From {before:g} to {last:g} cells per radius {words}."
@@ -263,35 +283,37 @@ def is_like(shot):
 
 
 def verdict(shot, held):
-    missed = [WORDS[what] for what in WHAT if not held[what]]
+    missed = [WORDS[what] for what in ANSWERS if not held[what]]
     words = "not " + (listed(missed) if len(missed) > 1 else missed[0]) if missed else "yes"
     return words if is_like(shot) else f"another jet: unknown; it would{'' if not missed else ' ' + words}"
 
 
 def table():
-    head = ("shot", "cells per radius", *(f"{WORDS[what]} [{UNITS[what][0]}]" for what in WHAT), "smallest cells", "holds")
+    head = ("shot", "cells per radius", *(f"{WORDS[what]} [{UNITS[what][0]}]" for what in ANSWERS), "smallest cells", "holds")
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     rows = {}
     for one in trials():
         rows.setdefault(one[:3], {})[one[3]] = one[4:]
     for (shot, cells, finest), found in rows.items():
         texts = []
-        for what in WHAT:
+        for what in ANSWERS:
             _, factor, digits = UNITS[what]
             write = lambda value: f"{factor * value:.{digits}f}"  # noqa: E731
             if what in found:
                 depth, (low, high), truth, _ = found[what]
                 texts.append(f"{write(depth)}, {write(low)} to {write(high)}, {write(truth)}")
-            else:
+            elif what in answers_of(shots()[shot]):
                 texts.append(", unknown, ".join(write(at(shots()[shot][size], what, REST)) for size in (cells, finest)))
-        held = {what: what not in found or found[what][-1] for what in WHAT}
+            else:
+                texts.append("")
+        held = {what: what not in found or found[what][-1] for what in ANSWERS}
         lines.append(f"| {shot} | {cells:g} | " + " | ".join(texts) + f" | {finest:g} | {verdict(shot, held)} |")
     return lines
 
 
 def summary():
     """How many intervals hold what smaller cells give, apart from the shots that made them and from jets that the program refuses."""
-    for what in WHAT:
+    for what in ANSWERS:
         all_of = [one for one in trials() if one[3] == what and one[0] not in (*MADE_FROM, LATER) and is_like(one[0])]
         held = sum(one[-1] for one in all_of)
         if all_of:

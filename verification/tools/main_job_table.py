@@ -35,6 +35,15 @@ def least_certain(one):
     ) + (f" (runs to {' and '.join(ends)})" if ends else "") or "not measured"  # fmt: skip
 
 
+def flow(one):
+    """Core flow efficiency, and where it lies by its measured error."""
+    error = one.get("core_flow_efficiency_error", {})
+    if "value" not in error:
+        return f"{one['efficiency']:.2f}", "unknown"
+    low, high = (one["efficiency"] / (1.0 + error[end]) for end in ("high", "low"))
+    return f"{one['efficiency']:.2f}", f"{low:.2f} to {high:.2f}"
+
+
 def zones(one):
     """What has become of the rock half-way down."""
     found = one["zones_in_body"]["Rock"]
@@ -44,13 +53,12 @@ def zones(one):
 
 def answers(one):
     crushed, skin = zones(one)
-    efficiency = f"{one['efficiency']:.2f}" if "efficiency" in one else "not measured"
     entrance = one["entrance_diameter_in_body"]
     return [
         f"{1e3 * one['probed_depth']:.0f} mm", interval(one["probed_depth"], one.get("probed_depth_error")),
         f"{1e3 * one['depth']:.0f} mm", interval(one["depth"], one.get("depth_error")),
         f"{1e3 * entrance['Casing']:.1f} and {1e3 * entrance['Rock']:.1f} mm", *volume(one),
-        crushed, skin, efficiency, f"{100.0 * one['lost']:.1f} %", least_certain(one),
+        crushed, skin, *flow(one), f"{100.0 * one['lost']:.1f} %", least_certain(one),
         f"{one['seconds']:.0f} s, {1e-6 * one['bytes']:.0f} MB",
     ]  # fmt: skip
 
@@ -60,6 +68,7 @@ QUESTIONS = (
     "how deep: the tip of the thread behind", "its interval, by the cells",
     "what hole: entrance in the casing and in the rock", "what hole: volume", "its interval, by the cells", "how damaged: half-way down",
     "how much it flows: skin there", "how much it flows: core flow efficiency of the whole hole, fed from its side",
+    "its interval, by the cells",
     "how sure: energy lost by the method", "how sure: least certain of the rock", "time and memory, two ranks",
 )  # fmt: skip
 

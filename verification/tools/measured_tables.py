@@ -65,8 +65,8 @@ def length_errors():
 
 def divided_errors():
     head = (
-        "# Relative error of the depth, of the depth of the hole that is as wide as the jet, and of the hole's volume, of perforation.xml\n"
-        "# with divided particles of the jet and so many cells per radius of its tip.\n"
+        "# Relative error of the depth, of the depth of the hole that is as wide as the jet, of the hole's volume, and of the core flow\n"
+        "# efficiency, of perforation.xml with divided particles of the jet and so many cells per radius of its tip.\n"
     )
     head += HEAD.format("depth_shots.json and depth_scatter.json of verification/results")
     rows = [(what, f"{cells:g}", *(f"{number:.4f}" for number in error))

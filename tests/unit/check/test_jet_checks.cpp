@@ -16,8 +16,10 @@
 #include <gtest/gtest.h>
 
 #include <barreno/models.hpp>
+#include <barreno/registry.hpp>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -567,6 +569,29 @@ TEST(DividedError, IsThatOfTheTableAndBetweenItsCells) {
   }
   const DepthDoubt middle = with_cells(std::sqrt(coarse.cells_per_radius * fine.cells_per_radius));
   EXPECT_NEAR(middle.error.value, 0.5 * (coarse.depth.value + fine.depth.value), 1e-9);
+}
+
+/// Of a hole at rest, in rock that says how far its grains are broken.
+TEST(DividedError, OfTheCoreFlowEfficiencyIsThatOfHolesAtRest) {
+  Scene scene = divided_scene();
+  Penetration found;
+  found.met = true;
+  const DividedError& first = tables.divided.front();
+  scene.grid.cell_size = 1e-3 / first.cells_per_radius;
+  const auto unknown = [&](double time) { return efficiency_doubt(scene, time, found).unknown; };
+  EXPECT_TRUE(says(unknown(400e-6), "(Breakage energy)"));
+  std::ifstream card(std::string(BARRENO_SOURCE_DIR) + "/materials/cards/berea_sandstone_heat.xml");
+  const std::string text{std::istreambuf_iterator<char>(card), {}};
+  scene.materials[static_cast<std::size_t>(scene.bodies[1].material)] =
+      make_material("Rock", scan_card(text, "berea_sandstone_heat.xml"));
+  EXPECT_EQ(unknown(400e-6), "");
+  EXPECT_EQ(efficiency_doubt(scene, 372e-6, found).error.low, first.efficiency.low);
+  EXPECT_TRUE(says(unknown(120e-6), "at 400 us only"));
+  found.through = true;
+  EXPECT_TRUE(says(unknown(400e-6), "out of the rear"));
+  found.through = false;
+  scene.bodies[1].initial_pressure = 0.0;
+  EXPECT_TRUE(says(unknown(400e-6), "of 34 MPa and more only"));
 }
 
 TEST(DividedError, OfTheDepthEndsWithTheMeasurementsAndThatOfTheWideHoleDoesNot) {

@@ -114,6 +114,23 @@ def check_cells(folder):
     assert abs(found[1] / found[2] - 1.0) < 0.02, found
 
 
+def check_error_of_the_cells(folder):
+    """The interval of the efficiency is what the summary says of its error, of radial flow at the end of the run."""
+    run = hole_run(folder / "error", 0.3)
+    _, plain = flow(run)
+    assert "core_flow_efficiency_error" not in plain, plain
+    file = run / "summary.json"
+    error = {"value": 0.25, "low": -0.2, "high": 1.0, "cells_per_radius": 1.8, "source": "measured by hand"}
+    file.write_text(json.dumps({**json.loads(file.read_text()), "penetration": {"core_flow_efficiency_error": error}}))
+    said, found = flow(run)
+    efficiency = plain["core_flow_efficiency"]
+    assert found["core_flow_efficiency"] == efficiency and found["core_flow_efficiency_error"] == error, found
+    assert f"{efficiency / 2.0:.3f} to {efficiency / 0.8:.3f}; error from the size of the cells +25 % (-20 to +100 %)" in said, said
+    for words in (("--boundary", "axial"), ("--time", "10 us")):
+        said, found = flow(run, *words)
+        assert "unknown (it was measured for radial flow at the end" in said and "unknown" in found["core_flow_efficiency_error"], said
+
+
 def check_faults(folder):
     run = hole_run(folder / "faults", 0.3)
     for words, sentence in (
@@ -140,7 +157,8 @@ def check_faults(folder):
 def main():
     os.environ["BARRENO_PROGRAM"] = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
-        for check in (check_ring, check_broken_grains, check_dilated_ring, check_blind_hole, check_cells, check_faults):
+        for check in (check_ring, check_broken_grains, check_dilated_ring, check_blind_hole, check_cells, check_error_of_the_cells,
+                check_faults):  # fmt: skip
             check(pathlib.Path(folder))
 
 

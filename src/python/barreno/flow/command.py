@@ -11,6 +11,7 @@ from barreno.flow.rings import rings_of
 from barreno.flow.solve import BOUNDARIES, solve
 from barreno.flow.surge import LIMIT, cleaned
 from barreno.flow.surge_table import lines_of_surge, numbers_of_surge, skin_of
+from barreno.report.numbers import error_words
 from barreno.report.run import opened
 from barreno.runs.faults import FILE, Fault, exit_code
 from barreno.runs.ranks import check_ranks
@@ -72,6 +73,19 @@ def shares_of(rings, flow):
     return [*above, *zip(depth[:-1], depth[1:], np.diff(at)), *below]
 
 
+def error_of(run, options):
+    """What the size of the run's cells does to the efficiency, as its summary says it; {} where the summary says nothing."""
+    error = run.summary.get("penetration", {}).get("core_flow_efficiency_error", {})
+    if error and (options.boundary != "radial" or options.time or options.surge):
+        return {"unknown": "it was measured for radial flow at the end of runs without a surge only"}
+    return error
+
+
+def interval_of(efficiency, error):
+    """(low, high), or None where the error is unknown."""
+    return tuple(efficiency / (1.0 + error[end]) for end in ("high", "low")) if "value" in error else None
+
+
 def as_json(run, boundary, rings, shot, virgin, shares, more=None):
     """@param more  further entries"""
     efficiency = shot.rate / virgin.rate
@@ -83,10 +97,11 @@ def as_json(run, boundary, rings, shot, virgin, shares, more=None):
         **(more or {})}, indent=2) + "\n"
 
 
-def lines_of(options, rings, shot, virgin, shares):
+def lines_of(options, rings, shot, virgin, shares, error):
     efficiency = shot.rate / virgin.rate
+    interval = interval_of(efficiency, error)
     yield (f"core flow efficiency {efficiency:.3f} ({options.boundary} flow: {efficiency:.0%} of what the same hole in virgin rock "
-        "would let in)")
+        "would let in)" + (f", {interval[0]:.3f} to {interval[1]:.3f}" if interval else "") + error_words(error))
     yield f"skin {skin_of(efficiency, rings):+.2f} (outer radius {1e3 * rings.radii[-1]:.4g} mm, hole {1e3 * rings.hole_radius:.3g} mm)"
     yield (f"flow rate / (permeability x pressure drop / viscosity) = {shot.rate:.4g} m, virgin {virgin.rate:.4g} m; in and out agree to "
         f"{max(shot.leak, virgin.leak):.1e}")
@@ -119,15 +134,17 @@ def run(words):
     time = quantity_in("--time", options.time, TIME_UNITS, "200 us") if options.time else None
     cell = quantity_in("--cell", options.cell, LENGTH_UNITS, "1 mm") if options.cell else None
     surge = surge_in(options)
-    cleaning, more = None, {}
+    with opened(options.run) as opened_run:
+        error = error_of(opened_run, options)
+    cleaning, more = None, {"core_flow_efficiency_error": error} if error else {}
     if surge is None:
         rings, shot, virgin, shares = flow_of(options.run, options.boundary, time, cell, options.ranks)
     else:
         cleaning = cleaned(options.run, options.boundary, *surge, time, cell, options.ranks)
         rings, shot, virgin = cleaning.after.rings, cleaning.after.shot, cleaning.after.virgin
-        shares, more = shares_of(rings, shot), {"surge": numbers_of_surge(cleaning)}
+        shares, more = shares_of(rings, shot), {**more, "surge": numbers_of_surge(cleaning)}
         print("\n".join(lines_of_surge(cleaning)))
-    print("\n".join(lines_of(options, rings, shot, virgin, shares)))
+    print("\n".join(lines_of(options, rings, shot, virgin, shares, error)))
     out = pathlib.Path(options.out) if options.out else pathlib.Path(options.run) / "flow"
     make_folder(out)
     place(out / "flow.json", as_json(options.run, options.boundary, rings, shot, virgin, shares, more))

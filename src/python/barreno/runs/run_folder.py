@@ -25,11 +25,11 @@ KINDS = {  # what commands reckon with, where a summary has it: a number, an obj
     "penetration.depth_error.cells_per_radius": NUMBER,
     "penetration.depth_error.source": str, "penetration.depth_error.unknown": str, "penetration.depth_error.advice": str,
     "penetration.probed_depth_error": LIST,
-    "penetration.channel_volume_error": LIST,
+    "penetration.channel_volume_error": LIST, "penetration.core_flow_efficiency_error": LIST,
     "penetration.least_certain": LIST, "penetration.least_certain.sentence": str,
-    **{f"penetration.{of}_error.{name}": NUMBER for of in ("probed_depth", "channel_volume")
+    **{f"penetration.{of}_error.{name}": NUMBER for of in ("probed_depth", "channel_volume", "core_flow_efficiency")
        for name in ("value", "low", "high", "cells_per_radius")},
-    **dict.fromkeys((f"penetration.{of}_error.{name}" for of in ("probed_depth", "channel_volume")
+    **dict.fromkeys((f"penetration.{of}_error.{name}" for of in ("probed_depth", "channel_volume", "core_flow_efficiency")
        for name in ("source", "unknown", "advice")), str),
     "balances": LIST, "balances.energy": LIST, "balances.energy.error": NUMBER,
 }  # fmt: skip

@@ -6,7 +6,7 @@ import re
 
 import numpy
 
-from barreno.sweeps.flows import EFFICIENCY
+from barreno.sweeps.flows import BOUNDARY, EFFICIENCY
 from barreno.uncertainties import spread
 from barreno.uncertainties.words import LATIN
 
@@ -20,9 +20,10 @@ KINDS = (  # what is looked at without being asked for: name in summary.json, wo
     (r"penetration\.zones_in_body\.(?P<body>.+)\.skin", "skin of {body}", "", 1.0),
 )
 VOLUME = "penetration.channel_volume"
-ERRORS = {DEPTH: "penetration.depth_error", PROBED: "penetration.probed_depth_error", VOLUME: "penetration.channel_volume_error"}
+ERRORS = {DEPTH: "penetration.depth_error", PROBED: "penetration.probed_depth_error", VOLUME: "penetration.channel_volume_error",
+    EFFICIENCY: "penetration.core_flow_efficiency_error"}
 THROUGH = "penetration.through"
-NOT_MEASURED = "it was measured for depths alone"
+NOT_MEASURED = "it was measured for depths, volumes and core flow efficiencies alone"
 ENDS = ("high", "value", "low")  # of an error, as they make the true answer larger
 
 
@@ -89,6 +90,8 @@ def cell_errors(name, rows):
     head = ERRORS.get(name)
     if head is None:
         return [], NOT_MEASURED
+    if name == EFFICIENCY and any(row.scalars.get(BOUNDARY) != "radial" for row in rows):
+        return [], "it was measured for radial flow alone"
     errors = [tuple(row.scalars.get(f"{head}.{end}") for end in ENDS) for row in rows]
     lacking = [row for row, error in zip(rows, errors) if not all(map(is_number, error)) or min(error) <= -1.0]
     if not lacking:
