@@ -190,7 +190,8 @@ FORMER, LATER, RETURNED = "former rock", "former rock, to 560 us", "losses retur
 HEAD = """## Depth at rest
 
 The hole of `input_xml/perforation.xml` at {rest} us, by the size of the cells: its tip, how far it is as wide as the widest slug of the jet,
-and its volume (`verification/depth_shots.py BARRENO "the deck" --cells N`; means where several runs are there):
+its volume, and the core flow efficiency with radial flow (`verification/depth_shots.py BARRENO "the deck" --cells N`; means where several
+runs are there):
 """
 BEFORE = """The same of the former rock at 300 us, `berea_sandstone_bounded`, which neither breaks nor melts and has no limit of strength
 (`verification/depth_shots.py BARRENO "former rock" --cells N`):
@@ -199,7 +200,7 @@ WORTH = """![Radius of the hole against depth, with several sizes of cells](pict
 
 What this is worth:
 
-- *The hole as wide as the jet, and its volume, are known.* They hardly follow the cells, and hardly grow after {rest} us
+- *The hole as wide as the jet, its volume and the flow into it* are known to the intervals below, and hardly grow after {rest} us
   ([jets.md](jets.md#at-rest)). With the former rock, whose hole is narrower, they hardly did after 300 us ({grown}). A hole
   narrows slowly where it ends, and necks come and go: one of a few millimetres decided between depths of 473 and 570 mm. So `probed_depth`
   (depth.csv, summary.json and the screen) passes necks of up to five diameters of that slug, where the hole is as wide on either side.
