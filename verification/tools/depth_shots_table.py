@@ -318,7 +318,8 @@ def summary():
         all_of = [one for one in trials() if one[3] == what and one[0] not in (*MADE_FROM, LATER) and is_like(one[0])]
         held = sum(one[-1] for one in all_of)
         if all_of:
-            yield f"Of {len(all_of)} intervals of {WORDS[what]} in shots that they were not made from, {held} hold what smaller cells give."
+            yield (f"Intervals of {WORDS[what]} in shots that they were not made from: {held} of {len(all_of)} "
+                f"hold{'s' if len(all_of) == 1 else ''} what smaller cells give.")  # fmt: skip
 
 
 CRUSHED = """### The rock around the hole
