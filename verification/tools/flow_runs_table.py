@@ -50,6 +50,10 @@ def sentences():
         whole_hole = [one["flow"]["0.5"]["broken"]["efficiency"] for one in of.values()]
         skins = [one["flow"]["0.5"]["broken"]["skin"] for one in of.values()]
         half = [one["rock"][HALF]["skin"] for one in of.values()]
+        if len(of) == 1:
+            lines.append(f"- {cells} cells per radius, one run: CFE {whole_hole[0]:.3f}, its skin {skins[0]:.0f}; the skin half-way down "
+                f"{half[0]:.0f}.")  # fmt: skip
+            continue
         lines.append(f"- {cells} cells per radius, {len(of)} runs that should agree: CFE {statistics.mean(whole_hole):.3f} +- "
             f"{spread(whole_hole):.0%}, its skin {statistics.mean(skins):.0f} +- {spread(skins):.0%}; the skin half-way down "
             f"{statistics.mean(half):.0f} +- {spread(half):.0%}.")  # fmt: skip
