@@ -6,7 +6,10 @@
 #include "jet/path.hpp"
 #include "scene/jet.hpp"
 
+#include <barreno/models.hpp>
 #include <cmath>
+#include <type_traits>
+#include <variant>
 
 namespace barreno {
 namespace {
@@ -18,10 +21,21 @@ constexpr double measured_length = 0.55;  ///< of the tip's slug, in radii
 constexpr double slowest_slug = 400.0;    ///< [velocity]
 constexpr double least_filled = 0.051;
 constexpr double least_confinement = 34e6;  ///< of a hole whose volume rests [stress]
+constexpr double measured_dilatancy = 1.0, measured_damage_pressure = 1e9;  ///< [-], [stress]
 /// How far another jet may be from it: no other was run.
 constexpr double farthest_jet = 1.1;
 constexpr double rested = 0.9;  ///< of measured_end: a run at rest may end earlier
 constexpr double round_off = 1e-6;
+
+template <class Parameters, class = void>
+constexpr bool grains_can_break = false;
+template <class Parameters>
+constexpr bool grains_can_break<
+    Parameters,
+    std::void_t<
+        decltype(Parameters::breakage_energy),
+        decltype(Parameters::broken_dilatancy),
+        decltype(Parameters::damage_pressure)>> = true;
 
 /// Broken rock that nothing holds flies apart, and its hole goes on growing.
 bool is_bare(const Scene& scene) {
@@ -144,15 +158,8 @@ DepthDoubt probed_depth_doubt(
 
 namespace {
 
-/// Of a hole whose rock something holds.
-DepthDoubt held_hole_doubt(
-    const Scene& scene,
-    double time,
-    const Penetration& found,
-    const DepthTables& tables,
-    DepthError DividedError::*whose
-) {
-  DepthDoubt doubt = hole_doubt(scene, time, found, tables, whose);
+/// A doubt about what rests only where something holds the rock.
+DepthDoubt where_held(const Scene& scene, DepthDoubt doubt) {
   if (doubt.unknown.empty() && is_bare(scene))
     doubt.unknown = format(
         "it was measured under a confinement of %g MPa and more only; broken rock that nothing "
@@ -162,12 +169,38 @@ DepthDoubt held_hole_doubt(
   return doubt;
 }
 
-bool grains_break(const Scene& scene) {
-  const BodySpec* rock = longest_solid(scene);
-  if (rock == nullptr) return false;
-  return scene.materials[static_cast<std::size_t>(rock->material)]
-      .history_column("breakage")
-      .has_value();
+/// What decides the pores and the grains of the crushed zone; 0 in other materials.
+struct BreakingRock {
+  double breakage_energy = 0.0, broken_dilatancy = 0.0, damage_pressure = 0.0;
+};
+BreakingRock breaking_rock(const MaterialSpec& material) {
+  return std::visit(
+      [](const auto& model) -> BreakingRock {
+        using Parameters = typename std::decay_t<decltype(model)>::Parameters;
+        if constexpr (grains_can_break<Parameters>) {
+          const Parameters& p = model.parameters();
+          return {p.breakage_energy, p.broken_dilatancy, p.damage_pressure};
+        } else {
+          return {};
+        }
+      },
+      material.material().model
+  );
+}
+
+std::string why_rock_unknown(const Scene& scene) {
+  const BodySpec& body = *longest_solid(scene);  // the scene is as measured, with one
+  const BreakingRock rock = breaking_rock(scene.materials[static_cast<std::size_t>(body.material)]);
+  if (!(rock.breakage_energy > 0.0))
+    return "it was measured in rock whose grains break only (Breakage energy)";
+  if (rock.broken_dilatancy != measured_dilatancy ||
+      !is_like(rock.damage_pressure / measured_damage_pressure))
+    return format(
+        "it was measured with a Broken dilatancy of %g and a Damage pressure of %g GPa only",
+        measured_dilatancy,
+        1e-9 * measured_damage_pressure
+    );
+  return {};
 }
 
 }  // namespace
@@ -175,18 +208,17 @@ bool grains_break(const Scene& scene) {
 DepthDoubt volume_doubt(
     const Scene& scene, double time, const Penetration& found, const DepthTables& tables
 ) {
-  return held_hole_doubt(scene, time, found, tables, &DividedError::volume);
+  return where_held(scene, hole_doubt(scene, time, found, tables, &DividedError::volume));
 }
 
 DepthDoubt efficiency_doubt(
     const Scene& scene, double time, const Penetration& found, const DepthTables& tables
 ) {
-  DepthDoubt doubt = held_hole_doubt(scene, time, found, tables, &DividedError::efficiency);
-  if (!doubt.unknown.empty()) return doubt;
+  DepthDoubt doubt =
+      where_held(scene, hole_doubt(scene, time, found, tables, &DividedError::efficiency));
+  if (doubt.unknown.empty()) doubt.unknown = why_rock_unknown(scene);
   const double end = end_of(scene);
-  if (!grains_break(scene))
-    doubt.unknown = "it was measured in rock whose grains break only (Breakage energy)";
-  else if (time < rested * end)
+  if (doubt.unknown.empty() && time < rested * end)
     doubt.unknown = format("it was measured at %.3g us only, when the hole is at rest", 1e6 * end);
   return doubt;
 }

@@ -36,8 +36,8 @@ DepthDoubt volume_doubt(
 );
 
 /// What they do to the core flow efficiency of the hole of a run that has come to rest, fed from
-/// the side of the rock (`barreno flow`); unknown of all jets but these, and of rock whose grains
-/// do not break.
+/// the side of the rock (`barreno flow`); unknown of all jets but these, and of rock whose
+/// grains or bonds break otherwise.
 DepthDoubt efficiency_doubt(
     const Scene& scene,
     double time,

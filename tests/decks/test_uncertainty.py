@@ -206,6 +206,7 @@ def check_flow(folder):
     rows = read_csv(out / "uncertainty.csv", cells=WORDS).to_dict("records")
     assert [float(row[EFFICIENCY]) for row in rows] == found and len(set(found)) == 5 and 0.0 < min(found) <= max(found) < 1.0, found
     assert (answer["least"], answer["largest"], answer["runs"]) == (min(found), max(found), 5) and answer["ranges"]["low"] >= 0.0, answer
+    assert answer["cells_unknown"] == "it was measured for radial flow alone", answer
     assert said.count(": core flow efficiency 0.") == 5 and " core flow efficiency   " in said, said
     kept = runs[0] / "flow_axial.json"
     kept.write_text(kept.read_text().replace(repr(found[0]), "0.125"))

@@ -173,6 +173,22 @@ def check_cells():
     assert said.startswith("Depth 100 mm, 91 to 109 mm at 90 % (the error of the cells is not in it: in 3 of 24 runs:"), said
 
 
+def check_cells_of_flow():
+    """The error of the core flow efficiency counts with --flow radial, for which it was measured, and with nothing else."""
+    error = {f"penetration.core_flow_efficiency_error.{end}": value for end, value in (("low", -0.2), ("value", 0.0), ("high", 0.25))}
+    shares = hypercube(1, 24, 1)
+    flows = 0.2 + 0.01 * linear(shares, (1.0,))
+    rows = [Row(f"run {i}", pathlib.Path("x"), [], scalars={answers.EFFICIENCY: flow, **error}) for i, flow in enumerate(flows)]
+    (found,), remarks = answers.answers_of(rows, [])
+    assert not remarks, remarks
+    answers.analyse_all([found], words.LATIN, shares, rows, "radial")
+    assert found.cells_unknown == "", found
+    near(found.whole.low, found.runs.low / 1.25, 1e-12)
+    near(found.whole.high, found.runs.high / 0.8, 1e-12)
+    answers.analyse_all([found], words.LATIN, shares, rows, "axial")
+    assert found.whole is None and found.cells_unknown == "it was measured for radial flow alone", found
+
+
 def check_left_out():
     """No depth behind a target, none that a run lacks, none that is always the same; a number that is asked for, and lengths above 0."""
     for more, depths, said in (({"penetration.through": True}, [1.0, 2.0], "depth is left out: the jet has come out of the rear"),
@@ -408,8 +424,8 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         for check in (check_exact_line, check_coverage, check_told, check_ishigami, check_parabolas, check_order_statistics, check_cells,
-                check_left_out, check_settled, check_jets, check_cells_for_all, check_settings, check_shipped_ranges, check_designs,
-                check_words):
+                check_cells_of_flow, check_left_out, check_settled, check_jets, check_cells_for_all, check_settings, check_shipped_ranges,
+                check_designs, check_words):
             check()
         for check in (check_ranges, check_known, check_given, check_report):
             (folder / check.__name__).mkdir()

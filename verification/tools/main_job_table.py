@@ -8,20 +8,12 @@ from tools.verification_pages import table
 BEFORE, MAIN = "perforation_120us.xml", "perforation.xml"
 
 
-def interval(depth, error):
-    """Where a depth lies by its measured error, in mm."""
+def with_interval(value, error, digits, unit=""):
+    """A number, and where it lies by its measured error."""
+    write = lambda number: f"{number:.{digits}f}"  # noqa: E731
     if not error or "unknown" in error:
-        return "unknown"
-    return f"{1e3 * depth / (1.0 + error['high']):.0f} to {1e3 * depth / (1.0 + error['low']):.0f} mm"
-
-
-def volume(one):
-    """Of the hole, and where it lies by its measured error."""
-    text, error = f"{1e6 * one['channel_volume']:.1f} cm3", one.get("channel_volume_error")
-    if not error or "unknown" in error:
-        return text, "unknown"
-    low, high = (1e6 * one["channel_volume"] / (1.0 + error[end]) for end in ("high", "low"))
-    return text, f"{low:.1f} to {high:.1f} cm3"
+        return write(value) + unit, "unknown"
+    return write(value) + unit, f"{write(value / (1.0 + error['high']))} to {write(value / (1.0 + error['low']))}{unit}"
 
 
 def least_certain(one):
@@ -35,15 +27,6 @@ def least_certain(one):
     ) + (f" (runs to {' and '.join(ends)})" if ends else "") or "not measured"  # fmt: skip
 
 
-def flow(one):
-    """Core flow efficiency, and where it lies by its measured error."""
-    error = one.get("core_flow_efficiency_error", {})
-    if "value" not in error:
-        return f"{one['efficiency']:.2f}", "unknown"
-    low, high = (one["efficiency"] / (1.0 + error[end]) for end in ("high", "low"))
-    return f"{one['efficiency']:.2f}", f"{low:.2f} to {high:.2f}"
-
-
 def zones(one):
     """What has become of the rock half-way down."""
     found = one["zones_in_body"]["Rock"]
@@ -55,10 +38,12 @@ def answers(one):
     crushed, skin = zones(one)
     entrance = one["entrance_diameter_in_body"]
     return [
-        f"{1e3 * one['probed_depth']:.0f} mm", interval(one["probed_depth"], one.get("probed_depth_error")),
-        f"{1e3 * one['depth']:.0f} mm", interval(one["depth"], one.get("depth_error")),
-        f"{1e3 * entrance['Casing']:.1f} and {1e3 * entrance['Rock']:.1f} mm", *volume(one),
-        crushed, skin, *flow(one), f"{100.0 * one['lost']:.1f} %", least_certain(one),
+        *with_interval(1e3 * one["probed_depth"], one.get("probed_depth_error"), 0, " mm"),
+        *with_interval(1e3 * one["depth"], one.get("depth_error"), 0, " mm"),
+        f"{1e3 * entrance['Casing']:.1f} and {1e3 * entrance['Rock']:.1f} mm",
+        *with_interval(1e6 * one["channel_volume"], one.get("channel_volume_error"), 1, " cm3"),
+        crushed, skin, *with_interval(one["efficiency"], one.get("core_flow_efficiency_error"), 2),
+        f"{100.0 * one['lost']:.1f} %", least_certain(one),
         f"{one['seconds']:.0f} s, {1e-6 * one['bytes']:.0f} MB",
     ]  # fmt: skip
 

@@ -580,10 +580,15 @@ TEST(DividedError, OfTheCoreFlowEfficiencyIsThatOfHolesAtRest) {
   scene.grid.cell_size = 1e-3 / first.cells_per_radius;
   const auto unknown = [&](double time) { return efficiency_doubt(scene, time, found).unknown; };
   EXPECT_TRUE(says(unknown(400e-6), "(Breakage energy)"));
-  std::ifstream card(std::string(BARRENO_SOURCE_DIR) + "/materials/cards/berea_sandstone_heat.xml");
-  const std::string text{std::istreambuf_iterator<char>(card), {}};
-  scene.materials[static_cast<std::size_t>(scene.bodies[1].material)] =
-      make_material("Rock", scan_card(text, "berea_sandstone_heat.xml"));
+  const auto take_card = [&](const std::string& name) {
+    std::ifstream card(std::string(BARRENO_SOURCE_DIR) + "/materials/cards/" + name);
+    const std::string text{std::istreambuf_iterator<char>(card), {}};
+    scene.materials[static_cast<std::size_t>(scene.bodies[1].material)] =
+        make_material("Rock", scan_card(text, name));
+  };
+  take_card("berea_sandstone_damage.xml");
+  EXPECT_TRUE(says(unknown(400e-6), "a Broken dilatancy of 1 and a Damage pressure of 1 GPa only"));
+  take_card("berea_sandstone_heat.xml");
   EXPECT_EQ(unknown(400e-6), "");
   EXPECT_EQ(efficiency_doubt(scene, 372e-6, found).error.low, first.efficiency.low);
   EXPECT_TRUE(says(unknown(120e-6), "at 400 us only"));

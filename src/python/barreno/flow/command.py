@@ -11,6 +11,7 @@ from barreno.flow.rings import rings_of
 from barreno.flow.solve import BOUNDARIES, solve
 from barreno.flow.surge import LIMIT, cleaned
 from barreno.flow.surge_table import lines_of_surge, numbers_of_surge, skin_of
+from barreno.report.files import read_summary
 from barreno.report.numbers import error_words
 from barreno.report.run import opened
 from barreno.runs.faults import FILE, Fault, exit_code
@@ -73,9 +74,9 @@ def shares_of(rings, flow):
     return [*above, *zip(depth[:-1], depth[1:], np.diff(at)), *below]
 
 
-def error_of(run, options):
+def error_of(options):
     """What the size of the run's cells does to the efficiency, as its summary says it; {} where the summary says nothing."""
-    error = run.summary.get("penetration", {}).get("core_flow_efficiency_error", {})
+    error = read_summary(pathlib.Path(options.run) / "summary.json").get("penetration", {}).get("core_flow_efficiency_error", {})
     if error and (options.boundary != "radial" or options.time or options.surge):
         return {"unknown": "it was measured for radial flow at the end of runs without a surge only"}
     return error
@@ -134,16 +135,16 @@ def run(words):
     time = quantity_in("--time", options.time, TIME_UNITS, "200 us") if options.time else None
     cell = quantity_in("--cell", options.cell, LENGTH_UNITS, "1 mm") if options.cell else None
     surge = surge_in(options)
-    with opened(options.run) as opened_run:
-        error = error_of(opened_run, options)
-    cleaning, more = None, {"core_flow_efficiency_error": error} if error else {}
+    cleaning, more, error = None, {}, error_of(options)
     if surge is None:
         rings, shot, virgin, shares = flow_of(options.run, options.boundary, time, cell, options.ranks)
     else:
         cleaning = cleaned(options.run, options.boundary, *surge, time, cell, options.ranks)
         rings, shot, virgin = cleaning.after.rings, cleaning.after.shot, cleaning.after.virgin
-        shares, more = shares_of(rings, shot), {**more, "surge": numbers_of_surge(cleaning)}
+        shares, more = shares_of(rings, shot), {"surge": numbers_of_surge(cleaning)}
         print("\n".join(lines_of_surge(cleaning)))
+    if error:
+        more["core_flow_efficiency_error"] = error
     print("\n".join(lines_of(options, rings, shot, virgin, shares, error)))
     out = pathlib.Path(options.out) if options.out else pathlib.Path(options.run) / "flow"
     make_folder(out)

@@ -10,7 +10,7 @@ from barreno.runs.run_folder import numbers_of
 from barreno.runs.tables import place
 
 HEAD = "flow"  # of the names of its numbers
-EFFICIENCY, BOUNDARY = f"{HEAD}.core_flow_efficiency", f"{HEAD}.boundary"
+EFFICIENCY = f"{HEAD}.core_flow_efficiency"
 
 
 def add_word(add):

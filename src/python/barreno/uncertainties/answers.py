@@ -6,7 +6,7 @@ import re
 
 import numpy
 
-from barreno.sweeps.flows import BOUNDARY, EFFICIENCY
+from barreno.sweeps.flows import EFFICIENCY
 from barreno.uncertainties import spread
 from barreno.uncertainties.words import LATIN
 
@@ -85,12 +85,12 @@ def answers_of(rows, quantities):
     return found, remarks
 
 
-def cell_errors(name, rows):
-    """([(high, value, low) of each run], why they are unknown)"""
+def cell_errors(name, rows, flow):
+    """([(high, value, low) of each run], why they are unknown)  @param flow  --flow"""
     head = ERRORS.get(name)
     if head is None:
         return [], NOT_MEASURED
-    if name == EFFICIENCY and any(row.scalars.get(BOUNDARY) != "radial" for row in rows):
+    if name == EFFICIENCY and flow != "radial":
         return [], "it was measured for radial flow alone"
     errors = [tuple(row.scalars.get(f"{head}.{end}") for end in ENDS) for row in rows]
     lacking = [row for row, error in zip(rows, errors) if not all(map(is_number, error)) or min(error) <= -1.0]
@@ -115,11 +115,11 @@ def with_cells(answer, errors, analyse):
     return best
 
 
-def analyse_all(answers, design, shares, rows):
-    """@param shares  of the ranges, of the runs that have finished"""
+def analyse_all(answers, design, shares, rows, flow=None):
+    """@param shares  of the ranges, of the runs that have finished  @param flow  --flow"""
     way = spread.by_regression if design == LATIN else spread.one_at_a_time
     for answer in answers:
         analyse = lambda values: at_least_zero(way(shares, values), answer)  # noqa: E731, B023
         answer.runs = analyse(answer.values)
-        errors, answer.cells_unknown = cell_errors(answer.name, rows)
+        errors, answer.cells_unknown = cell_errors(answer.name, rows, flow)
         answer.whole = with_cells(answer, errors, analyse) if errors else None

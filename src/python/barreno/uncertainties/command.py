@@ -205,7 +205,7 @@ def write_results(options, base, ranges, shares, points, out):
         kept = [(share, row) for share, row in zip(shares, rows) if row.state == FINISHED]
         shares, rows = [share for share, _ in kept], [row for _, row in kept]
         answers, remarks = answers_of(rows, options.quantity)
-        analyse_all(answers, options.design, shares, rows)
+        analyse_all(answers, options.design, shares, rows, options.flow)
         record["answers"], record["left_out"] = report.as_numbers(answers, ranges), list(remarks)
         files += draw_tornado(out, answers, ranges, remarks)
         lines = [*remarks, *report.lines_of(answers, ranges, options.design, len(rows))]
