@@ -4,8 +4,10 @@
 
     depth_shots.py BARRENO [--cells N ...] [SHOT ...]    all shots, or those named; 1.2 and 1.8 cells in the radius of the jet's tip
                                                          or those given: verification/results/depth_shots.json, and docs/trade.md
-    depth_shots.py BARRENO --courant [--cells N ...]     the deck with steps a little shorter or longer, for the scatter of runs that
-                                                         should agree: verification/results/depth_scatter.json, and docs/trade.md
+    depth_shots.py BARRENO --courant [FRACTION ...] [--cells N ...]
+                                                         the deck with steps a little shorter or longer (eight, or those given), for
+                                                         the scatter of runs that should agree: verification/results/
+                                                         depth_scatter.json, and docs/trade.md
 
 Decks: perforation.xml with divided particles of the jet, and what tools/depth_shots.py changes in it, until the hole as wide as the
 jet no longer grows. Minutes of one core each with 1.2 cells, half an hour with 2.4.
@@ -99,18 +101,19 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", type=pathlib.Path)
     parser.add_argument("--cells", nargs="+", default=["1.2", "1.8"])
-    parser.add_argument("--courant", action="store_true")
+    parser.add_argument("--courant", nargs="*", choices=COURANT, metavar="FRACTION")
     parser.add_argument("what", nargs="*", metavar="SHOT")
     options = parser.parse_args()
     unknown = [what for what in options.what if what not in SHOTS]
     if unknown:
         parser.error(f"there is no shot '{unknown[0]}'; there are {', '.join(SHOTS)}")
     os.environ["BARRENO_PROGRAM"] = str(options.barreno.resolve())  # which solves the flow
-    for courant in COURANT if options.courant else ():
+    scattered = options.courant is not None
+    for courant in options.courant or COURANT if scattered else ():
         for cells in options.cells:
             settings = {**DIVIDED, **settings_of("the deck")[0], "Jet/Cells Per Radius": cells, "Step/Courant Fraction": courant}
             keep_scatter(cells, courant, measured(run_deck(options.barreno.resolve(), "perforation.xml", settings), 1.0))
-    for shot in options.what or (() if options.courant else SHOTS):
+    for shot in options.what or (() if scattered else SHOTS):
         for cells in options.cells:
             entries, scale = settings_of(shot)
             settings = {**DIVIDED, **entries, "Jet/Cells Per Radius": cells}

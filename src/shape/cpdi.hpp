@@ -181,8 +181,9 @@ struct Cpdi {
     return out;
   }
 
+  static constexpr CourantTable courant_table{{1.002, 0.909, 0.781, 0.690, 0.498, 0.353}};
   static double critical_courant(double half_size_in_cells) {
-    return CourantTable{{1.002, 0.909, 0.781, 0.690, 0.498, 0.353}}.at(half_size_in_cells);
+    return courant_table.at(half_size_in_cells);
   }
 
   /// k = sum g^2 / S = 1 / (a (1 - a)) with an end on a node.

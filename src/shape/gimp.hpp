@@ -87,8 +87,9 @@ struct Gimp : TensorShape<Gimp, 3> {
     return hats_at<3>(x, first_of<3>(particle, x));
   }
 
+  static constexpr CourantTable courant_table{{0.868, 0.804, 0.732, 0.665, 0.493, 0.352}};
   static double critical_courant(double half_size_in_cells) {
-    return CourantTable{{0.868, 0.804, 0.732, 0.665, 0.493, 0.352}}.at(half_size_in_cells);
+    return courant_table.at(half_size_in_cells);
   }
 
   /// k = sum g^2 / S is 1 / (a (1 - a)) where the box lies in one cell and 1 / a more where it

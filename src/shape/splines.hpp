@@ -87,8 +87,9 @@ struct Linear : SplineShape<Linear, 1> {
   static constexpr bool balanced_in_axisymmetry = true;
   static double unbalanced(double size) { return size; }
   static int reach(const Scene& scene) { return scene.loads.empty() ? 0 : 1; }
+  static constexpr CourantTable courant_table{{0.866, 0.884, 0.846, 0.819, 0.761, 0.725}};
   static double critical_courant(double half_size_in_cells) {
-    return CourantTable{{0.866, 0.884, 0.846, 0.819, 0.761, 0.725}}.at(half_size_in_cells);
+    return courant_table.at(half_size_in_cells);
   }
   /// The median over the places, as above.
   static double isolated_courant(double /*half_size_in_cells*/) { return 0.612; }
@@ -106,8 +107,9 @@ struct QuadraticSpline : SplineShape<QuadraticSpline, 2> {
   static constexpr bool balanced_in_axisymmetry = false;
   static double unbalanced(double size) { return 0.4 * size * size; }
   static int reach(const Scene& /*scene*/) { return 1; }
+  static constexpr CourantTable courant_table{{0.868, 0.960, 0.995, 1.023, 1.089, 1.153}};
   static double critical_courant(double half_size_in_cells) {
-    return CourantTable{{0.868, 0.960, 0.995, 1.023, 1.089, 1.153}}.at(half_size_in_cells);
+    return courant_table.at(half_size_in_cells);
   }
   /// k = sum g^2 / S = 6 where a third node comes into reach.
   static double isolated_courant(double /*half_size_in_cells*/) { return 0.577; }
@@ -122,8 +124,9 @@ struct CubicSpline : SplineShape<CubicSpline, 3> {
   static constexpr bool balanced_in_axisymmetry = false;
   static double unbalanced(double size) { return 0.25 * size * size; }
   static int reach(const Scene& scene) { return scene.loads.empty() ? 1 : 2; }
+  static constexpr CourantTable courant_table{{1.404, 1.472, 1.489, 1.495, 1.499, 1.500}};
   static double critical_courant(double half_size_in_cells) {
-    return CourantTable{{1.404, 1.472, 1.489, 1.495, 1.499, 1.500}}.at(half_size_in_cells);
+    return courant_table.at(half_size_in_cells);
   }
   /// The largest sum g^2 / S over the places is 3.14.
   static double isolated_courant(double /*half_size_in_cells*/) { return 0.798; }

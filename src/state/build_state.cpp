@@ -327,6 +327,8 @@ void add_sets(const Scene& scene, State& state) {
   state.agreed.reserve(scene.materials.size() + 8);
   for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m) {
     Particles particles = make_particles(scene, m);
+    particles.courant_table =
+        visit_shape(scene.step.shape, [](auto shape) { return decltype(shape)::courant_table; });
     particles.critical_courant = visit_shape(scene.step.shape, [&](auto shape) {
       return decltype(shape)::critical_courant(smallest_half_size(scene, m));
     });

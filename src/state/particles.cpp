@@ -105,6 +105,9 @@ Particles make_particles(const Scene& scene, int material) {
   p.viscous_pressure = {"viscous_pressure", dim::stress, 1, {}};
   p.longitudinal_modulus = {"longitudinal_modulus", dim::stress, 1, {}};
   p.burn_columns = burn_columns_of(m.model);
+  p.void_column = scene.materials[static_cast<std::size_t>(material)]
+                      .history_column("expansion_strain")
+                      .value_or(-1);
   p.history = {"history", dim::none, history_components(m.model), {}};
   p.reference_position = {
       "reference_position",

@@ -4,6 +4,7 @@
 #include "base/field.hpp"
 #include "grid/patch.hpp"
 #include "scene/scene.hpp"
+#include "shape/courant_table.hpp"
 #include "state/tally_scales.hpp"
 
 #include <cassert>
@@ -68,11 +69,13 @@ struct Particles {
   bool rigid = false;  ///< one body with prescribed motion
   int count = 0;
   int capacity = 0;
+  CourantTable courant_table{};   ///< of the shape function
   double critical_courant = 1.0;  ///< of the smallest particle that the scene gives this set
   double isolated_courant = 1.0;  ///< of isolated_courant()
   double stable_step = std::numeric_limits<double>::infinity();  ///< of its rows here [time]
   TallyScales tally_scales;                                      ///< of tally_scales()
   BurnColumns burn_columns;
+  int void_column = -1;  ///< of the voids' strain in the history of a metal; -1 of others
   SplitRule split_rule;
   bool sorted = false;  ///< order and tile_begin belong to the present rows and tiles
 

@@ -5,6 +5,7 @@
 #include "grid/tiles.hpp"
 #include "pore_flow/drain_pore_fluid.hpp"
 #include "step/apply_loads.hpp"
+#include "step/cell_step.hpp"
 #include "step/contact/detect_contact_nodes.hpp"
 #include "step/contact/fit_surface_normals.hpp"
 #include "step/contact/refine_surface_normals.hpp"
@@ -13,6 +14,7 @@
 #include "step/nodes/sum_halos.hpp"
 #include "step/prepare_step.hpp"
 #include "step/solve_motion.hpp"
+#include "step/stable_step.hpp"
 #include "step/subcycle/tile_steps.hpp"
 #include "step/tally_step.hpp"
 #include "step/transfer/filter_velocity.hpp"
@@ -147,6 +149,15 @@ void take_part(const Scene& scene, double next_time, double& dt, State& state, S
   clock.dt = dt;
 }
 
+/// What sets whose rows decide by cells allow.
+void limit_by_cells(const StepSpec& spec, State& state) {
+  for (Particles& particles : state.particles) {
+    if (!decides_by_cells(particles)) continue;
+    particles.stable_step = stable_step_of_cells(spec, state.grid, particles);
+    state.stable_step = std::min(state.stable_step, particles.stable_step);
+  }
+}
+
 }  // namespace
 
 StepResult advance(const Scene& scene, double next_time, State& state) {
@@ -162,6 +173,7 @@ StepResult advance(const Scene& scene, double next_time, State& state) {
     prepare_next_part(state);
     take_part(scene, next_time, dt, state, result);
   }
+  limit_by_cells(scene.step, state);
   ++state.clock.step;
   const bool repeated = dt < start.dt;
   count_step(

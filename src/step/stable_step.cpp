@@ -5,7 +5,7 @@
 #include "base/interrupt.hpp"
 #include "base/region.hpp"
 #include "base/rows.hpp"
-#include "step/stable_step_rule.hpp"
+#include "step/cell_step.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,6 +44,19 @@ double stable_step_of_rows(
   const int dimensions = particles.velocity.components;
   const double cell_size = grid.smallest_cell();  // these rows are in no tile yet
   double least = 0.0;
+  if (decides_by_cells(particles)) {
+    const CellStepRule alone(spec, grid.mode, particles);
+    launch_reduction(
+        "stable_step_of_rows",
+        range({first_row, particles.count}),
+        KOKKOS_LAMBDA(const int p, double& part) {
+          const double step = alone.of_row(p, cell_size);
+          part = step < part ? step : part;
+        },
+        Kokkos::Min<double>(least)
+    );
+    return least;
+  }
   launch_reduction(
       "stable_step_of_rows",
       range({first_row, particles.count}),
@@ -53,6 +66,22 @@ double stable_step_of_rows(
         const double density = mass(p, 0) / volume(p, 0);
         const double step = rule.stable_step(cell_size, density, modulus(p, 0), 0.0, speed);
         part = step < part ? step : part;
+      },
+      Kokkos::Min<double>(least)
+  );
+  return least;
+}
+
+double stable_step_of_cells(const StepSpec& spec, const Grid& grid, const Particles& particles) {
+  double least = std::numeric_limits<double>::infinity();
+  const CellStepRule rule(spec, grid.mode, particles);
+  const ArrayView<TileFrame> frame = grid.tile_frame;
+  launch_reduction(
+      "stable_step_of_cells",
+      range(grid.active),
+      KOKKOS_LAMBDA(const int tile, double& part) {
+        const double of_tile = rule.of_tile(tile, frame(tile).cell_size);
+        part = of_tile < part ? of_tile : part;
       },
       Kokkos::Min<double>(least)
   );

@@ -15,6 +15,10 @@ double stable_step_of_rows(
     const StepSpec& spec, const Grid& grid, const Particles& particles, int first_row
 );
 
+/// Smallest step that the cells of a set allow whose rows decide by cells (cell_step.hpp) [time].
+/// @pre  the rows are sorted by cell
+double stable_step_of_cells(const StepSpec& spec, const Grid& grid, const Particles& particles);
+
 /// The fraction f of the step that is stable with damping a, where `dt` is the fraction of the one
 /// without, 2 / omega:
 ///

@@ -67,14 +67,20 @@ struct StableStepRule {
   KOKKOS_INLINE_FUNCTION R stable_step(
       const R& cell_size, const R& density, const R& modulus, const R& rate, const R& speed
   ) const {
+    const R wave = wave_speed(cell_size, density, modulus, rate);
+    const R alone = isolated_ratio * wave;
+    const R whole = wave + speed;
+    return courant * cell_size / real::select(alone > whole, alone, whole);
+  }
+  /// Q + sqrt(Q^2 + c^2) [velocity].
+  template <class R>
+  KOKKOS_INLINE_FUNCTION R
+  wave_speed(const R& cell_size, const R& density, const R& modulus, const R& rate) const {
     const R c_squared = modulus / density;
     const R q = real::select(
         rate < 0.0, linear * real::sqrt(c_squared) - quadratic * cell_size * rate, 0.0
     );
-    const R wave = q + real::sqrt(R(q * q + c_squared));
-    const R alone = isolated_ratio * wave;
-    const R whole = wave + speed;
-    return courant * cell_size / real::select(alone > whole, alone, whole);
+    return q + real::sqrt(R(q * q + c_squared));
   }
 };
 

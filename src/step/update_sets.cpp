@@ -3,6 +3,7 @@
 
 #include "base/gather.hpp"
 #include "step/boundary/move_rigid_particles.hpp"
+#include "step/cell_step.hpp"
 #include "step/particles/move_particles.hpp"
 #include "step/particles/tally_domains.hpp"
 #include "step/particles/update_deformation.hpp"
@@ -87,6 +88,8 @@ void strain_after(
       add(update_stress(material, update.step, update.grid, update.end, rows, particles), set);
     });
     add(tally_domains(step, material.bad_particles, own_fields, grid, sets[s]), set, clipped);
+    // Found from all of a cell, at the end of the step.
+    if (decides_by_cells(sets[s])) set.stable_step = std::numeric_limits<double>::infinity();
     sets[s].stable_step = set.stable_step;
     apply_policy(material.bad_particles, sets[s].material, set, ledger, result);
     enter(set, ledger.materials[static_cast<std::size_t>(sets[s].material)]);

@@ -187,6 +187,21 @@ TEST(ExpansionStrain, BrokenMetalWithLargeVoidsHasNextToNoModulusAndTheSizeOfIts
   EXPECT_NEAR(20.0 * model.longitudinal_modulus(Sym3{}, porous.history, 20.0) / stiff, 1.0, 0.02);
 }
 
+/// Molten metal that is broken has no shear modulus left, unless a step may cool it below melting.
+TEST(ExpansionStrain, BrokenMoltenMetalHasNoShearModulus) {
+  const Porous model(spalling_copper(), density);
+  const auto& p = model.parameters();
+  auto history = model.initial_history();
+  const auto modulus = [&] { return model.longitudinal_modulus(isotropic(-1e9), history, 0.99); };
+  const double solid = modulus();
+  history.temperature = 2.0 * p.melt_temperature;
+  EXPECT_EQ(modulus(), solid) << "whole metal may be cooled and sheared";
+  history.damage = 1.0;
+  EXPECT_NEAR(modulus(), solid - 4.0 / 3.0 * p.shear_modulus, 1e-9 * solid);
+  history.temperature = 1.1 * p.melt_temperature;
+  EXPECT_EQ(modulus(), solid);
+}
+
 #if BARRENO_HAS_LANES
 TEST(ExpansionStrain, OpenBrokenMetalDoesNotDependOnTheLanesBesideIt) {
   const Porous model(spalling_copper(), density);

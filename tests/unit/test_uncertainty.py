@@ -72,6 +72,37 @@ def check_coverage():
             near(float(mean), float(wanted), 0.06)
 
 
+def check_selection():
+    """Fewer runs than ranges: the interval holds nearly its part of new cases, whether few ranges matter or all alike; the clear ones are
+    found with their shares, and others hardly ever."""
+    for slopes, sigma in (((3.0, 2.0, *(0.0,) * 33), 1.0), ((0.0,) * 35, 1.0), ((1.0,) * 35, 1.0)):
+        generator, contents, found, told = numpy.random.default_rng(5), [], [], []
+        for seed in range(40):
+            shares = hypercube(len(slopes), 24, seed)
+            one = spread.of_hypercube(shares, linear(shares, slopes) + sigma * generator.standard_normal(24))
+            contents.append(normal_content(one.low, one.high, slopes, sigma, generator))
+            found.append([effect.share for effect in one.effects])
+            told.append([effect.told for effect in one.effects])
+        near(float(numpy.mean(contents)), 0.9, 0.03)
+        if slopes[0] == slopes[1]:
+            continue
+        for mean, wanted in zip(numpy.mean(found, axis=0)[:2], (9.0 / 16.0, 4.0 / 16.0)):
+            near(float(mean), wanted, 0.1)
+        assert numpy.mean(told, axis=0)[0] > 0.9 and numpy.sum(told, axis=1).mean() < 2.4, numpy.mean(told, axis=0)
+
+
+def check_selected_exactly():
+    """Without scatter a line of two of many ranges is found as it is; a constant has no effects."""
+    shares = hypercube(30, 20, 3)
+    slopes = numpy.zeros(30)
+    slopes[[4, 17]] = 3.0, -1.0
+    found = spread.of_hypercube(shares, linear(shares, slopes))
+    assert [j for j, effect in enumerate(found.effects) if effect.told] == [4, 17], found
+    near(found.effects[4].at_high, 3.0, 1e-9)
+    near(found.foretold, 1.0, 1e-9)
+    assert not any(effect.told for effect in spread.of_hypercube(shares, numpy.full(20, 2.0)).effects)
+
+
 def check_told():
     """A range without effect is called so in nine of ten samples."""
     generator, told = numpy.random.default_rng(6), []
@@ -102,7 +133,7 @@ def check_ishigami():
         rests.append(found.rest)
         assert found.effects[1].share < 0.35, found
         if found.foretold < spread.FAIR:
-            assert len(report.doubts(answer)) == 1 and "the shares say little" in report.doubts(answer)[0]
+            assert len(report.doubts([answer])) == 1 and "The shares say little" in report.doubts([answer])[0]
         else:
             assert seed not in range(20), (seed, found.foretold)
     near(float(numpy.mean(contents)), 0.9, 0.04)
@@ -368,6 +399,10 @@ def check_designs():
         options.runs -= 1
         refused(lambda options=options, many=many: design.shares_of(options, many), f"--runs {least - 1} is too few for 5 ranges",
             f"give --runs {least}")
+    many = [given(f"A/{i}") for i in range(35)]
+    assert len(design.shares_of(argparse.Namespace(design=words.LATIN, runs=12, seed=1), many)) == 12
+    refused(lambda: design.shares_of(argparse.Namespace(design=words.LATIN, runs=11, seed=1), many), "--runs 11 is too few for 35 ranges",
+        "needs 12: fewer show no range among so many")
     for column in hypercube(3, 20, 4).T:
         assert sorted(int(20 * share) for share in column) == list(range(20))
     assert design.middle_of(given(own=0.999)) == 0.5 == design.middle_of(given(own=None))
@@ -423,8 +458,9 @@ def check_report(folder):
 def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        for check in (check_exact_line, check_coverage, check_told, check_ishigami, check_parabolas, check_order_statistics, check_cells,
-                check_cells_of_flow, check_left_out, check_settled, check_jets, check_cells_for_all, check_settings, check_shipped_ranges,
+        for check in (check_exact_line, check_coverage, check_selection, check_selected_exactly, check_told, check_ishigami,
+                check_parabolas, check_order_statistics, check_cells, check_cells_of_flow, check_left_out, check_settled, check_jets,
+                check_cells_for_all, check_settings, check_shipped_ranges,
                 check_designs, check_words):
             check()
         for check in (check_ranges, check_known, check_given, check_report):

@@ -34,7 +34,8 @@ def zones(one):
     return crushed, f"{found['skin']:.1f}"
 
 
-def answers(one):
+def answers(one, varied):
+    """@param varied  what a study of its ranges says"""
     crushed, skin = zones(one)
     entrance = one["entrance_diameter_in_body"]
     return [
@@ -43,9 +44,24 @@ def answers(one):
         f"{1e3 * entrance['Casing']:.1f} and {1e3 * entrance['Rock']:.1f} mm",
         *with_interval(1e6 * one["channel_volume"], one.get("channel_volume_error"), 1, " cm3"),
         crushed, skin, *with_interval(one["efficiency"], one.get("core_flow_efficiency_error"), 2),
-        f"{100.0 * one['lost']:.1f} %", least_certain(one),
+        f"{100.0 * one['lost']:.1f} %", least_certain(one), varied,
         f"{one['seconds']:.0f} s, {1e-6 * one['bytes']:.0f} MB",
     ]  # fmt: skip
+
+
+SPREAD = (("probed depth", "as wide as the jet", 1e3, 0, " mm"), ("volume of the hole", "volume", 1e6, 1, " cm3"),
+    ("core flow efficiency", "core flow efficiency", 1.0, 2, ""))  # fmt: skip
+
+
+def spread():
+    """What the ranges of all inputs make of the answers, with the error of the cells (uncertainty_examples.py)."""
+    study = json.loads((RESULTS / "uncertainty.json").read_text())
+    of_words, said = {answer["words"]: answer for answer in study["answers"].values()}, []
+    for words, short, factor, digits, unit in SPREAD:
+        found = of_words[words]
+        low, high = (f"{factor * (found['with_cells'] or found['ranges'])[end]:.{digits}f}" for end in ("low", "high"))
+        said.append(f"{short} {low} to {high}{unit}{'' if found['with_cells'] else ' without the error of the cells'}")
+    return f"{', '.join(said)} ({study['runs']} runs of *fast*, docs/uncertainty.md)"
 
 
 QUESTIONS = (
@@ -54,13 +70,15 @@ QUESTIONS = (
     "what hole: entrance in the casing and in the rock", "what hole: volume", "its interval, by the cells", "how damaged: half-way down",
     "how much it flows: skin there", "how much it flows: core flow efficiency of the whole hole, fed from its side",
     "its interval, by the cells",
-    "how sure: energy lost by the method", "how sure: least certain of the rock", "time and memory, two ranks",
+    "how sure: energy lost by the method", "how sure: least certain of the rock",
+    "how sure: 90 % of cases within the ranges of rock, metals, jet and pressures, and with the error of the cells",
+    "time and memory, two ranks",
 )  # fmt: skip
 
 
 def lines():
     found = json.loads((RESULTS / "main_job.json").read_text())
-    columns = [answers(found[deck]) for deck in (MAIN, BEFORE)]
+    columns = [answers(found[deck], varied) for deck, varied in ((MAIN, spread()), (BEFORE, "not measured"))]
     ends = [f"{1e6 * found[deck]['end']:.0f} us" for deck in (MAIN, BEFORE)]
     head = ["question", f"main job, to {ends[0]}", f"`{BEFORE}`, to {ends[1]}"]
     return table(head, [list(row) for row in zip(QUESTIONS, *columns)])

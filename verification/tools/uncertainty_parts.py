@@ -43,7 +43,7 @@ def share_rows(answers, ranges):
         else:
             others.append(name)
     rest = " | ".join(f"{100.0 * answer['ranges']['rest']:.0f} %" for answer in answers.values())
-    return [*shown, f"| interaction and scatter | | {rest} |"], others
+    return [*shown, f"| interaction, scatter and other ranges | | {rest} |"], others
 
 
 def example():
@@ -58,6 +58,7 @@ def example():
     if others:
         out += [f"No share that stands out from the scatter: {', '.join(others)}.", ""]
     first = next(iter(answers.values()))
-    out += [first["sentence"], "", f"Its {data['runs']} runs took {data['processor_seconds'] / 60.0:.0f} minutes of the processor, on a "
-        "machine with other work."]
+    minutes = data["seconds"] / 60.0
+    out += [first["sentence"], "", f"Its {data['runs']} runs took {minutes:.0f} minutes, two at a time on two cores: {minutes / 2.0:.0f} "
+        "minutes, and the flow into their holes."]
     return out

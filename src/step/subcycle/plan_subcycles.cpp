@@ -6,7 +6,7 @@
 #include "base/region.hpp"
 #include "grid/halo.hpp"
 #include "state/nodes.hpp"
-#include "step/stable_step_rule.hpp"
+#include "step/cell_step.hpp"
 #include "step/subcycle/count_rows.hpp"
 #include "step/subcycle/reached_tiles.hpp"
 #include "step/subcycle/stray_rule.hpp"
@@ -94,6 +94,8 @@ struct FindTileSteps {
   Dormancy dormancy;
   StrayRule stray;
   double part, step;  ///< of a part, of all parts [time]
+  bool by_cells;
+  CellStepRule cells;
 
   KOKKOS_INLINE_FUNCTION unsigned exits_of(int p, const TileFrame& of) const {
     int way[3] = {};
@@ -119,6 +121,10 @@ struct FindTileSteps {
     if (is_known(reach, dormancy, tile)) return;
     const TileFrame& of = reach.frame(tile);
     double least = reach.period(tile) * part;
+    if (by_cells) {
+      const double of_cells = cells.of_tile(tile, of.cell_size);
+      least = of_cells < least ? of_cells : least;
+    }
     unsigned exits = reach.exits(tile);
     for (int k = particles.tile_begin(tile); k < particles.tile_begin(tile + 1); ++k) {
       const int p = particles.order(k);
@@ -126,7 +132,7 @@ struct FindTileSteps {
       for (int d = 0; d < particles.velocity.components; ++d)
         square += particles.velocity(p, d) * particles.velocity(p, d);
       if (square > 0.0) exits |= exits_of(p, of);
-      if ((particles.body(p) & debris_bit) != 0) continue;
+      if (by_cells || (particles.body(p) & debris_bit) != 0) continue;
       const double density = particles.mass(p) / particles.volume(p);
       const double h = of.cell_size;
       const double rate = rule.compression(h, density, particles.viscous_pressure(p));
@@ -299,7 +305,16 @@ bool plan_subcycles(
     launch(
         "find_tile_steps",
         range(grid.active),
-        FindTileSteps{reach, rule, particles, dormancy, StrayRule(grid, particles), dt, parts * dt}
+        FindTileSteps{
+            reach,
+            rule,
+            particles,
+            dormancy,
+            StrayRule(grid, particles),
+            dt,
+            parts * dt,
+            decides_by_cells(particles),
+            CellStepRule(step, grid.mode, particles)}
     );
   }
   const double reached = count_reached_tiles(grid, subcycling);

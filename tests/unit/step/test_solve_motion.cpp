@@ -54,5 +54,23 @@ TEST(SolveMotion, AStepThatStrainsTooMuchIsTakenAgain) {
   for (int tile = 0; tile < 2; ++tile) EXPECT_EQ(two.state.grid.tile_frame(tile).dt, dt);
 }
 
+/// Of metal whose voids a step cannot close, a strain five times as large is borne.
+TEST(SolveMotion, OpenVoidsBearALargerStrain) {
+  Opening two(0.25);
+  two.scene.step.largest_strain = 0.11;  // 8 dt^2 is 0.5
+  two.particles.history = {"history", dimension::none, 1, {}};
+  reserve(two.particles, 4);
+  two.particles.void_column = 0;
+  double dt = 0.25;
+  for (int p = 0; p < 2; ++p) two.particles.history(p, 0) = 0.6;
+  solve_motion(two.scene, dt, two.state, two.tally);
+  EXPECT_EQ(dt, 0.25);
+  EXPECT_EQ(two.particles.increment(0, 0), 0.5);
+  two.particles.history(1, 0) = 0.4;  // it may close
+  solve_motion(two.scene, dt, two.state, two.tally);
+  EXPECT_LT(dt, 0.25);
+  EXPECT_LE(two.particles.increment(1, 0), 0.11);
+}
+
 }  // namespace
 }  // namespace barreno

@@ -56,9 +56,10 @@ BARRENO_FUNCTION PrincipalOf<R> principal_of(const MaskOf<R>& asked, const Sym3O
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     drop(a[0][1]), drop(a[0][2]), drop(a[1][2]);
     if (!real::any((a[0][1] != 0.0) | (a[0][2] != 0.0) | (a[1][2] != 0.0))) break;
-    rotate(a, out.axis, 0, 1);
-    rotate(a, out.axis, 0, 2);
-    rotate(a, out.axis, 1, 2);
+    // In two dimensions only the first is there.
+    if (real::any(a[0][1] != 0.0)) rotate(a, out.axis, 0, 1);
+    if (real::any(a[0][2] != 0.0)) rotate(a, out.axis, 0, 2);
+    if (real::any(a[1][2] != 0.0)) rotate(a, out.axis, 1, 2);
   }
   for (int k = 0; k < 3; ++k) out.value[k] = a[k][k];
   return out;

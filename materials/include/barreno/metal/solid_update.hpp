@@ -65,15 +65,29 @@ struct SolidUpdate {
   /// Bound on K_s + 4G/3, K_s = rho c^2 isentropic at the current density [stress].
   template <class R, class Reference>
   BARRENO_FUNCTION R modulus(
-      const R& pressure, const R& volume_ratio, const Reference& at, const MaskOf<R>& broken
+      const R& pressure,
+      const R& volume_ratio,
+      const Reference& at,
+      const R& temperature,
+      const MaskOf<R>& broken
   ) const {
     // The isentropic modulus falls to zero at a tension of order K / Gamma0: keep a positive speed.
     constexpr double floor_fraction = 0.01;
     const R isentropic = eos.isentropic_modulus(R(1.0 - volume_ratio), at, pressure);
-    const R closed =
-        4.0 / 3.0 * shear_modulus + real::larger(isentropic, floor_fraction * eos.bulk_modulus());
+    const R volumetric = real::larger(isentropic, floor_fraction * eos.bulk_modulus());
+    const R closed = 4.0 / 3.0 * shear_modulus + volumetric;
+    if (!real::any(broken)) return closed;
     const MaskOf<R> open = broken & (pressure <= 0.0);
-    return real::any(open) ? R(real::select(open, open_modulus(volume_ratio), closed)) : closed;
+    return real::select(
+        open,
+        open_modulus(volume_ratio),
+        R(real::select(broken & stays_molten<R>(temperature), volumetric, closed))
+    );
+  }
+  /// A step may cool a point by a fifth.
+  template <class R>
+  BARRENO_FUNCTION MaskOf<R> stays_molten(const R& temperature) const {
+    return strength.homologous(R(0.8 * temperature)) >= 1.0;
   }
   /// The same of an open broken point, which bears nothing: the modulus it will have when it closes
   /// keeps the step safe.
@@ -301,7 +315,7 @@ private:
         sound,
         step.elastic_work,
         step.plastic_work,
-        modulus(p, ratio, reference, MaskOf<R>(failure.template broken<R>(end)))};
+        modulus(p, ratio, reference, end.temperature, MaskOf<R>(failure.template broken<R>(end)))};
   }
 };
 

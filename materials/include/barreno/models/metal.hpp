@@ -210,7 +210,9 @@ struct Metal {
   ) const {
     const auto& eos = equation_of_state();
     const auto at = eos.at(1.0 - volume_ratio, history.internal_energy * eos.density);
-    return update_.modulus(-trace(stress) / 3.0, volume_ratio, at, is_broken(history));
+    return update_.modulus(
+        -trace(stress) / 3.0, volume_ratio, at, history.temperature, is_broken(history)
+    );
   }
   static bool is_broken(const History& history) {
     return Failure::template broken<double>(history);

@@ -117,7 +117,7 @@ def with_cells(answer, errors, analyse):
 
 def analyse_all(answers, design, shares, rows, flow=None):
     """@param shares  of the ranges, of the runs that have finished  @param flow  --flow"""
-    way = spread.by_regression if design == LATIN else spread.one_at_a_time
+    way = spread.of_hypercube if design == LATIN else spread.one_at_a_time
     for answer in answers:
         analyse = lambda values: at_least_zero(way(shares, values), answer)  # noqa: E731, B023
         answer.runs = analyse(answer.values)

@@ -3,20 +3,22 @@
 
 from barreno.runs.faults import Fault
 from barreno.sweeps.sample import hypercube
+from barreno.uncertainties.spread import SPARE
 from barreno.uncertainties.words import LATIN
 
-SPARE = 3  # runs beyond the number of ranges: one for the mean, two for what the ranges do not explain
+LEAST_SELECTED = 12  # runs that show which of many ranges stand out
 NEAR = 0.02  # of a range: the deck's value is no nearer to an end, or it would tell nothing that the end does not
 
 
 def least_runs(design, ranges):
-    return ranges + SPARE if design == LATIN else 2 * ranges + 1
+    return min(ranges + SPARE, LEAST_SELECTED) if design == LATIN else 2 * ranges + 1
 
 
 def check_count(design, ranges, runs):
     least = least_runs(design, ranges)
     if runs < least:
-        latin_needs = "one for each range, one for the mean and two for the scatter"
+        of_all = least == ranges + SPARE
+        latin_needs = "one for each range, one for the mean and two for the scatter" if of_all else "fewer show no range among so many"
         why = latin_needs if design == LATIN else "both ends of each range and the middle"
         raise Fault(f"--runs {runs} is too few for {ranges} ranges (--design {design} needs {least}: {why}); give --runs {least}, or hold "
             "some parameters with --hold.")

@@ -20,8 +20,14 @@ def label_of(effect, one):
     return f"{one.name()}, {one.text()}\n{share}"
 
 
+def shown(answer, ranges):
+    """Those that change the answer, the largest last."""
+    changing = [i for i in range(len(ranges)) if swing(answer.runs.effects[i]) > 0.0]
+    return sorted(changing, key=lambda i: swing(answer.runs.effects[i]))[-MOST_BARS:]
+
+
 def draw_bars(axes, answer, ranges):
-    order = sorted(range(len(ranges)), key=lambda i: swing(answer.runs.effects[i]))[-MOST_BARS:]
+    order = shown(answer, ranges)
     centre = answer.factor * answer.runs.centre
     for row, i in enumerate(order):
         effect, faint = answer.runs.effects[i], 1.0 if answer.runs.effects[i].told else 0.35
@@ -47,7 +53,7 @@ def draw(file, answers, ranges):
     answers = answers[:MOST_ANSWERS]
     columns = min(2, len(answers))
     lines = math.ceil(len(answers) / columns)
-    bars = min(len(ranges), MOST_BARS) + 2
+    bars = max(len(shown(answer, ranges)) for answer in answers) + 2
     figure, panels = plt.subplots(lines, columns, figsize=(6.5 * columns, lines * (1.2 + 0.36 * bars)), layout="constrained", squeeze=False)
     for axes, answer in zip(panels.flat, answers):
         axes.use_sticky_edges = False

@@ -5,7 +5,7 @@ import math
 
 from barreno.compare.results import list_of
 from barreno.runs.tables import aligned
-from barreno.uncertainties.spread import FAIR, LEVEL, confidence_of_span
+from barreno.uncertainties.spread import FAIR, LEVEL, confidence_of_span, is_selected
 from barreno.uncertainties.words import LATIN
 
 MOST_NAMED = 3  # contributors in a sentence
@@ -50,10 +50,14 @@ def share_text(effect):
 
 def share_table(answers, ranges):
     lines = [["share of the variance", "range", "known", *(answer.words for answer in answers)]]
+    selected = is_selected(len(answers[0].values), len(ranges))
     for i, one in enumerate(ranges):
+        if selected and not any(answer.runs.effects[i].told for answer in answers):
+            continue
         lines.append([one.name(), one.text(), one.known, *(share_text(answer.runs.effects[i]) for answer in answers)])
     if answers[0].runs.rest is not None:
-        lines.append(["interaction and scatter", "", "", *(percent(answer.runs.rest) for answer in answers)])
+        rest = "interaction, scatter and other ranges" if selected else "interaction and scatter"
+        lines.append([rest, "", "", *(percent(answer.runs.rest) for answer in answers)])
     return aligned(lines)
 
 
@@ -78,28 +82,38 @@ def sentence(answer, ranges):
     return f"{head}, {interval_text(answer, best)}{unit} at {percent(LEVEL)} ({counted}); {most}."
 
 
-def doubts(answer):
+def doubts(answers):
     """What the numbers do not bear."""
-    foretold = answer.runs.foretold
-    if foretold is None or foretold >= FAIR:
+    doubtful = [(answer, answer.runs.foretold) for answer in answers if answer.runs.foretold is not None and answer.runs.foretold < FAIR]
+    if not doubtful:
         return []
-    return [f"{answer.words}: straight effects of the ranges foretell {percent(max(foretold, 0.0))} of the variance of runs that they "
-        "were not made of, so the shares say little; more runs (--runs) or fewer ranges (--hold) help, and so does --design one-at-a-time "
-        "where answers bend."]
+    said = list_of([f"{answer.words} {percent(max(foretold, 0.0))}" for answer, foretold in doubtful])
+    return [f"The shares say little where straight effects of the ranges foretell less than {percent(FAIR)} of the variance of runs "
+        f"that they were not made of: {said}. More runs (--runs) or fewer ranges (--hold) help, and so does --design one-at-a-time where "
+        "answers bend."]
 
 
-def method_lines(design, count):
+def selection_lines(count, ranges):
+    if not is_selected(count, len(ranges)):
+        return []
+    return [f"{count} runs are too few for a share of each of {len(ranges)} ranges: only those that stand out have one. The rest counts as "
+        "scatter, and is in the intervals."]
+
+
+def method_lines(design, count, ranges):
     if design != LATIN:
         return ["One at a time: interactions and scatter are not in the intervals and shares."]
-    return [f"Shares in brackets: no more than scatter may give. Least and largest of {count} runs hold {percent(LEVEL)} of all cases "
+    return [*selection_lines(count, ranges),
+        f"Shares in brackets: no more than scatter may give. Least and largest of {count} runs hold {percent(LEVEL)} of all cases "
         f"with a confidence of {percent(confidence_of_span(count))}."]
 
 
 def lines_of(answers, ranges, design, count):
     if not answers:
         return ["No answer can be looked at."]
-    remarks = [doubt for answer in answers for doubt in doubts(answer)]
-    remarks = [*method_lines(design, count), *remarks, sentence(answers[0], ranges)]
+    told = [answer for answer in answers[1:] if contributors(answer, ranges)]
+    sentences = [sentence(answer, ranges) for answer in (answers[0], *told)]
+    remarks = [*method_lines(design, count, ranges), *doubts(answers), *sentences]
     return [*answer_table(answers), "", *share_table(answers, ranges), "", *remarks]
 
 

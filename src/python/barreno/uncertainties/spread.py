@@ -11,6 +11,9 @@ LEVEL = 0.9
 ENDS = (0.5 - 0.5 * LEVEL, 0.5, 0.5 + 0.5 * LEVEL)
 DRAWS = 20000
 VARIANCE = 1.0 / 3.0  # of an even distribution from -1 to 1
+SPARE = 3  # runs beyond the number of ranges that a fit of all needs: one for the mean, two for what the ranges do not explain
+LEAST_FREEDOM = 6  # runs that a selection leaves to the scatter
+LEAST_FORETOLD = 0.2  # share of the variance that selected effects foretell, below which chance may have selected them
 FAIR = 0.5  # share of the variance that effects foretell, below which they say little
 
 
@@ -88,6 +91,67 @@ def by_regression(shares, answers):
         for variance, slope, clear in zip(variances, slopes, told)]
     leverage = (x @ inverse * x).sum(axis=1)
     return Spread(low, median, high, effects, s**2 / total if total > 0.0 else 0.0, float(beta[0]), foretold_by(x, y, leverage, residuals))
+
+
+def clearest(z, y, chosen):
+    """The column that explains most of what those chosen leave, and whether scatter alone would hardly do so for any of the others.
+
+    Of k columns without effect one passes Student's two-sided bound at (1 - LEVEL)/k in less than one sample of ten.
+    """
+    from scipy import stats
+
+    runs, others = len(y), [j for j in range(z.shape[1]) if j not in chosen]
+    freedom = runs - len(chosen) - 2
+    if not others or freedom < LEAST_FREEDOM:
+        return None
+    known = numpy.hstack([numpy.ones((runs, 1)), z[:, chosen]])
+    basis = numpy.linalg.qr(known)[0]
+    without = lambda columns: columns - basis @ (basis.T @ columns)  # noqa: E731
+    rest, columns = without(y), without(z[:, others])
+    along = columns.T @ rest / numpy.maximum(numpy.sqrt((columns**2).sum(axis=0)), 1e-300)
+    best = int(numpy.argmax(numpy.abs(along)))
+    scatter = max(float((rest**2).sum() - along[best] ** 2), 0.0) / freedom
+    bound = stats.t.ppf(1.0 - 0.5 * (1.0 - LEVEL) / len(others), freedom)
+    return others[best] if along[best] ** 2 > max(bound**2 * scatter, 1e-24 * float(y @ y)) else None
+
+
+def clear_columns(z, y):
+    """Forward selection: one range after the other, as long as it stands out."""
+    chosen = []
+    while (column := clearest(z, y, chosen)) is not None:
+        chosen.append(column)
+    return sorted(chosen)
+
+
+def by_selection(shares, answers):
+    """Of a Latin hypercube with fewer runs than a fit of all ranges needs: by_regression of those that stand out. The rest counts as
+    scatter, so that the interval has all of them. foretold leaves each run out of the selection too."""
+    z, y = 2.0 * numpy.asarray(shares, float) - 1.0, numpy.asarray(answers, float)
+    chosen = clear_columns(z, y)
+    found = by_regression(numpy.asarray(shares, float)[:, chosen], y)
+    of_chosen = dict(zip(chosen, found.effects))
+    found.effects = [of_chosen.get(j, Effect(0.0, 0.0, 0.0, False)) for j in range(z.shape[1])]
+    found.foretold = 1.0 - sum(missed_alone(z, y, i) ** 2 for i in range(len(y))) / max(float(((y - y.mean()) ** 2).sum()), 1e-300)
+    if found.foretold < LEAST_FORETOLD:
+        found.effects = [dataclasses.replace(effect, told=False) for effect in found.effects]
+    return found
+
+
+def missed_alone(z, y, i):
+    """What a selection and a fit without run i miss of it."""
+    others = numpy.arange(len(y)) != i
+    chosen = clear_columns(z[others], y[others])
+    row = lambda of: numpy.hstack([numpy.ones((len(of), 1)), of[:, chosen]])  # noqa: E731
+    return float(y[i] - (row(z[i : i + 1]) @ numpy.linalg.lstsq(row(z[others]), y[others], rcond=None)[0])[0])
+
+
+def is_selected(runs, ranges):
+    """Whether so many runs are too few for a fit of all ranges."""
+    return runs < ranges + SPARE
+
+
+def of_hypercube(shares, answers):
+    return (by_selection if is_selected(*numpy.shape(shares)) else by_regression)(shares, answers)
 
 
 def parabola(middle, at_low, at_high):
