@@ -32,7 +32,6 @@ DEFAULT = 1e-2  # tolerance of a card
 MOST_WET, MOST_WET_ELASTIC, MOST_RATIO, MOST_SINGLE = 1000.0, 60.0, 1.5, 20000.0  # bars; ns
 MOST_DRY, MOST_DRY_ELASTIC, WISHED_DRY = 361.0, 18.8, 250.0  # what dry points took before the law was written once; ns
 COMPARISON = ("bisection", "elastic centre", "plastic", "plastic, arenisca3")
-SHOCKED, MOST_SHOCKED = ("limit", "limit and damage", "limit, damage and heat", "limit, damage and bounded tension"), 1.15
 ANGLES = ("Gudehus", "Willam-Warnke", "Mohr-Coulomb")
 
 WHY_ANGLE = (
@@ -100,10 +99,6 @@ def bars(rows):
             ratio = found[f"{base}, {feature}"]["ns_lanes"] / found[f"{base}, plain"]["ns_lanes"]
             why = WHY_ANGLE if feature in ANGLES else ""
             out.append(((f"{base}, {feature}", f"time over {base}, plain, in lanes"), ratio, MOST_RATIO, "times", why))
-    for base in ("dry", "wet"):
-        for feature in SHOCKED:
-            ratio = found[f"{base}, {feature}"]["ns_lanes"] / found[f"{base}, plain"]["ns_lanes"]
-            out.append(((f"{base}, {feature}", f"time over {base}, plain, in lanes"), ratio, MOST_SHOCKED, "times", ""))
     for form, row in found.items():
         if not is_comparison(form):
             what = (form, f"dearest single update, {row['substeps_of_slowest']:.0f} substeps")

@@ -28,19 +28,6 @@ std::vector<RockForm> rock_forms() {
   const Values water = {{"fluid_B0", 2.2e9}};
   const Values scatter = {{"Weibull modulus", 8.0}, {"Weibull reference volume", 1e-6}};
   const Values rate = {{"T1_rate_dependence", 1e-5}, {"T2_rate_dependence", 0.3}};
-  // As in the card berea_sandstone_heat, and the bound of berea_sandstone_cracks.
-  const Values limit = {{"Strength limit", 1e9}, {"Grain stiffening", 5.0}};
-  const Values damage = {
-      {"Fracture energy", 60.0},
-      {"Fracture strain", 0.03},
-      {"Residual slope", 0.2},
-      {"Damage pressure", 1e9}};
-  const Values heat = {
-      {"Specific heat", 1000.0},
-      {"Grueneisen parameter", 0.7},
-      {"Grain density", 2650.0},
-      {"Melting temperature", 2500.0}};
-  const Values bounded = {{"Tension cutoff", 3e6}};
   const Values bisection = {{"Return solver", 0.0, "bisection"}};
   const Values centre = {{"Backstress strain", 0.0, "elastic centre"}};
   const Values plastic = {{"Backstress strain", 0.0, "plastic"}};
@@ -52,11 +39,7 @@ std::vector<RockForm> rock_forms() {
       {"Gudehus", third_invariant("Gudehus")},
       {"Willam-Warnke", third_invariant("Willam-Warnke")},
       {"Mohr-Coulomb", third_invariant("Mohr-Coulomb")},
-      {"all", third_invariant("Willam-Warnke") + rate + scatter},
-      {"limit", limit},
-      {"limit and damage", limit + damage},
-      {"limit, damage and heat", limit + damage + heat},
-      {"limit, damage and bounded tension", limit + damage + bounded}};
+      {"all", third_invariant("Willam-Warnke") + rate + scatter}};
   std::vector<RockForm> forms;
   for (const bool wet : {false, true})
     for (const auto& feature : features)

@@ -37,10 +37,13 @@ BARE = {"Confinement": ""}
 WET = {ROCK: "berea_sandstone_heat_wet.xml", "Bodies/Rock/Pore Pressure": "0 Pa"}
 # The deck's rock before it had damage, heat and a limit of strength, whose hole is at rest earlier.
 FORMER = {ROCK: "berea_sandstone_bounded.xml", "Time/End Time": "300 us"}
+# The smallest cells twice as far from the path as Cells Per Radius has them; of 1.2 and 1.8 cells per radius, whose path is one level.
+WALL = {"Refinement/Wall/Lower": "{0 m, -0.01 m}", "Refinement/Wall/Upper": "{13 mm, 0.8 m}", "Refinement/Wall/Level": "1"}
 HEATED = {"Materials/Sandstone/Specific heat": "1000 J/(kg K)"}  # changes no stress: losses have a place to return to
 SHOTS = {  # what differs from the deck: settings, and factors of the jet's velocity and radius
     "the deck": ({}, {}),
     "losses returned": ({"Step/Return Losses": "true"}, {}),
+    "small cells to 13 mm from the axis": (WALL, {}),
     "no confinement": (BARE, {}),
     "confinement of 138 MPa": ({"Confinement/Pressure": "138 MPa"}, {}),
     "continuous jet": (CONTINUOUS, {}),

@@ -206,7 +206,10 @@ What this is worth:
   (depth.csv, summary.json and the screen) passes necks of up to five diameters of that slug, where the hole is as wide on either side.
 - *The tip is that of a thread* of spent metal, thinner than the jet. To {rest} us its depth is known to the interval below. After that it
   grows for long, the more the smaller the cells, and is not known.
-- *Single runs scatter*, because each slug meets what the one before has left (below).
+- *Single runs scatter*, those of small cells as much as others, because each slug meets what the one before has left (below).
+- *Small cells further from the path* change nothing beyond that scatter (below: small cells to 13 mm from the axis).
+- *Made before the rows of a cell decided on their step together* ([method](method.md) 4.1): steps and times are less now, the answers those
+  of before ([performance](performance.md#a-whole-shot)).
 """
 
 
