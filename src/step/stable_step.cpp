@@ -73,7 +73,8 @@ double stable_step_of_rows(
 }
 
 double stable_step_of_cells(const StepSpec& spec, const Grid& grid, const Particles& particles) {
-  double least = std::numeric_limits<double>::infinity();
+  if (particles.count == 0) return std::numeric_limits<double>::infinity();
+  double least = 0.0;
   const CellStepRule rule(spec, grid.mode, particles);
   const ArrayView<TileFrame> frame = grid.tile_frame;
   launch_reduction(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The step of rows of a cell that decide together.
 #include "step/cell_step.hpp"
+#include "step/ranks/place_particles.hpp"
 #include "step/stable_step.hpp"
 #include "support/scenes.hpp"
 
@@ -11,12 +12,11 @@
 namespace barreno {
 namespace {
 
-constexpr double cell_size = 0.5, density = 1000.0;
-
 /// A block of 2 x 2 particles in one cell, as if they were those of a jet that may be divided.
 struct Cell {
+  static constexpr double size = 0.5, density = 1000.0;
   Scene scene = testing::box_scene(
-      Mode::plane_strain, cell_size, {0.0, 0.0}, {8.0, 8.0}, testing::elastic(1e6, 0.3, density)
+      Mode::plane_strain, size, {0.0, 0.0}, {8.0, 8.0}, testing::elastic(1e6, 0.3, density)
   );
   State state;
   Particles& particles() { return state.particles[0]; }
@@ -25,6 +25,7 @@ struct Cell {
     testing::add_box(scene, "slug", {1.0, 1.0}, {1.5, 1.5}, 2);
     scene.step.linear_viscosity = 0.0;
     state = testing::start_alone(scene);
+    place_particles({false, true}, 1, continuum_of(state));
     Particles& p = particles();
     p.split_rule = {4, 0.5, -1, false, 0};
     for (int row = 0; row < p.count; ++row) p.half_size(row, 1) *= aspect;
@@ -42,9 +43,11 @@ TEST(StableStepOfCells, IsThatOfARowWhereAllAreAlike) {
       cell.scene.step, Mode::plane_strain, p.critical_courant, p.isolated_courant
   );
   const double alone =
-      rule.stable_step(cell_size, density, double(p.longitudinal_modulus(0)), 0.0, 7.0);
+      rule.stable_step(Cell::size, Cell::density, double(p.longitudinal_modulus(0)), 0.0, 7.0);
   EXPECT_NEAR(cell.step() / alone, 1.0, 1e-12);
   EXPECT_NEAR(stable_step_of_rows(cell.scene.step, cell.state.grid, p, 0) / alone, 1.0, 1e-12);
+  p.count = 0;
+  EXPECT_TRUE(std::isinf(cell.step())) << "a jet that is not launched yet bounds no step";
 }
 
 /// sum m w^2 / sum m: a hundredth of the mass that is a hundred times as stiff doubles w^2, where
@@ -102,7 +105,7 @@ TEST(StableStepOfCells, IsForDividedRowsOfAJetInTheirOwnBoxes) {
 TEST(StableStepOfCells, KeepsTheLimitOfARowThatIsAlone) {
   Cell cell;
   cell.particles().isolated_courant = 0.1;
-  EXPECT_NEAR(cell.step(), 0.1 * cell_size / cell.wave(), 1e-12);
+  EXPECT_NEAR(cell.step(), 0.1 * Cell::size / cell.wave(), 1e-12);
 }
 
 }  // namespace
