@@ -9,6 +9,8 @@
 #include "state/surface_share.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <type_traits>
 #include <variant>
 
@@ -87,6 +89,16 @@ SplitRule split_rule(const Scene& scene, int material) {
   return {scene.jet.splits, 0.5, -1, follows_deformation(scene), jet};
 }
 
+/// A strain of |D| dt = 1/2 turns no particle inside out, and its trace is sqrt(3)/2 at most: it
+/// closes no larger voids.
+VoidRule void_rule(const Scene& scene, int material) {
+  constexpr double bearable = 0.5;
+  const std::optional<int> column =
+      scene.materials[static_cast<std::size_t>(material)].history_column("expansion_strain");
+  if (!column) return {};
+  return {*column, std::sqrt(3.0) * bearable, std::min(scene.step.largest_strain / bearable, 1.0)};
+}
+
 Particles make_particles(const Scene& scene, int material) {
   namespace dim = dimension;
   const int d = dimensions(scene.grid.mode);
@@ -105,9 +117,7 @@ Particles make_particles(const Scene& scene, int material) {
   p.viscous_pressure = {"viscous_pressure", dim::stress, 1, {}};
   p.longitudinal_modulus = {"longitudinal_modulus", dim::stress, 1, {}};
   p.burn_columns = burn_columns_of(m.model);
-  p.void_column = scene.materials[static_cast<std::size_t>(material)]
-                      .history_column("expansion_strain")
-                      .value_or(-1);
+  p.void_rule = void_rule(scene, material);
   p.history = {"history", dim::none, history_components(m.model), {}};
   p.reference_position = {
       "reference_position",

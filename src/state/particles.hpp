@@ -60,6 +60,14 @@ struct SplitRule {
   int body = -1;       ///< whose particles are; -1: all of the set
 };
 
+/// Metal whose voids are too large for a step to close bears nothing: its strain may be larger than
+/// that of others. docs/method.md 4
+struct VoidRule {
+  int column = -1;     ///< of the voids' strain in its history; -1: it has none
+  double open = 0.0;   ///< strain of the voids from which on it bears nothing over a step [-]
+  double share = 1.0;  ///< of its strain, that counts towards Largest Strain
+};
+
 /// All particles of one material: structure of arrays, `count` rows used of `capacity`.
 /// Storage order has no meaning; `order` lists the rows by (tile, cell, id), so that every sum over
 /// particles has one order, whatever their history or rank count.
@@ -75,7 +83,7 @@ struct Particles {
   double stable_step = std::numeric_limits<double>::infinity();  ///< of its rows here [time]
   TallyScales tally_scales;                                      ///< of tally_scales()
   BurnColumns burn_columns;
-  int void_column = -1;  ///< of the voids' strain in the history of a metal; -1 of others
+  VoidRule void_rule;
   SplitRule split_rule;
   bool sorted = false;  ///< order and tile_begin belong to the present rows and tiles
 

@@ -44,19 +44,8 @@ double stable_step_of_rows(
   const int dimensions = particles.velocity.components;
   const double cell_size = grid.smallest_cell();  // these rows are in no tile yet
   double least = 0.0;
-  if (decides_by_cells(particles)) {
-    const CellStepRule alone(spec, grid.mode, particles);
-    launch_reduction(
-        "stable_step_of_rows",
-        range({first_row, particles.count}),
-        KOKKOS_LAMBDA(const int p, double& part) {
-          const double step = alone.of_row(p, cell_size);
-          part = step < part ? step : part;
-        },
-        Kokkos::Min<double>(least)
-    );
-    return least;
-  }
+  const bool by_cells = decides_by_cells(particles);
+  const CellStepRule alone(spec, grid.mode, particles);
   launch_reduction(
       "stable_step_of_rows",
       range({first_row, particles.count}),
@@ -64,7 +53,9 @@ double stable_step_of_rows(
         const double z = dimensions == 3 ? velocity(p, 2) : 0.0;
         const double speed = std::hypot(velocity(p, 0), velocity(p, 1), z);
         const double density = mass(p, 0) / volume(p, 0);
-        const double step = rule.stable_step(cell_size, density, modulus(p, 0), 0.0, speed);
+        const double step = by_cells
+                                ? alone.of_row(p, cell_size)
+                                : rule.stable_step(cell_size, density, modulus(p, 0), 0.0, speed);
         part = step < part ? step : part;
       },
       Kokkos::Min<double>(least)
@@ -73,7 +64,6 @@ double stable_step_of_rows(
 }
 
 double stable_step_of_cells(const StepSpec& spec, const Grid& grid, const Particles& particles) {
-  if (particles.count == 0) return std::numeric_limits<double>::infinity();
   double least = 0.0;
   const CellStepRule rule(spec, grid.mode, particles);
   const ArrayView<TileFrame> frame = grid.tile_frame;
@@ -86,7 +76,9 @@ double stable_step_of_cells(const StepSpec& spec, const Grid& grid, const Partic
       },
       Kokkos::Min<double>(least)
   );
-  return least;
+  // The least of none is the largest double.
+  constexpr auto largest = std::numeric_limits<double>::max();
+  return least < largest ? least : std::numeric_limits<double>::infinity();
 }
 
 double damped_step(double dt, double damping, double fraction) {

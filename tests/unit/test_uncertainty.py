@@ -199,9 +199,9 @@ def check_cells():
     for row in rows[:3]:
         row.scalars = {"penetration.depth": row.scalars["penetration.depth"], "penetration.depth_error.unknown": "it was never measured"}
     answers.analyse_all(found, words.LATIN, shares, rows)
-    assert found[0].cells_unknown == "in 3 of 24 runs: it was never measured", found[0]
+    assert found[0].cells_unknown == "it was never measured (3 of 24 runs)", found[0]
     said = report.sentence(found[0], [given()])
-    assert said.startswith("Depth 100 mm, 91 to 109 mm at 90 % (the error of the cells is not in it: in 3 of 24 runs:"), said
+    assert said.startswith("Depth 100 mm, 91 to 109 mm at 90 % (the error of the cells is not in it: it was never measured (3 of 24 runs"), said
 
 
 def check_cells_of_flow():
@@ -455,6 +455,22 @@ def check_report(folder):
     assert [report.digits_for(*ends) for ends in ((122.0, 140.0), (4.3, 4.5), (0.0, 5000.0), (1.0, 1.0))] == [0, 2, 0, 0]
 
 
+def check_selected_report(folder):
+    """Of more ranges than runs: rows and bars of those that stand out alone, and a sentence that says so."""
+    ends = [given(f"Materials/Rock/P{i}") for i in range(30)]
+    shares = hypercube(30, 20, 1)
+    depths = list(map(float, 0.01 * linear(shares, (1.0, 0.5, *(0.0,) * 28))))
+    found, _ = answers.answers_of(rows_of(depths), [])
+    answers.analyse_all(found, words.LATIN, shares, rows_of(depths))
+    lines = report.lines_of(found, ends, words.LATIN, 20)
+    assert [line.split()[0] for line in lines if line.split()[:1] and line.split()[0].startswith("Rock/")] == ["Rock/P0", "Rock/P1"], lines
+    assert any(line.strip().startswith("interaction, scatter and other ranges") for line in lines), lines
+    assert any("20 runs are too few for a share of each of 30 ranges" in line for line in lines), lines
+    assert "80 % from Rock/P0 and 20 % from Rock/P1" in lines[-1], lines
+    assert picture.shown(found[0], ends) == [1, 0]
+    picture.draw(folder / "selected.png", found, ends)
+
+
 def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
@@ -463,7 +479,7 @@ def main():
                 check_cells_for_all, check_settings, check_shipped_ranges,
                 check_designs, check_words):
             check()
-        for check in (check_ranges, check_known, check_given, check_report):
+        for check in (check_ranges, check_known, check_given, check_report, check_selected_report):
             (folder / check.__name__).mkdir()
             check(folder / check.__name__)
     print("intervals, shares, ranges, decks and designs are as docs/uncertainty.md says")

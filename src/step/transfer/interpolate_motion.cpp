@@ -71,14 +71,11 @@ struct InterpolateMotion {
     return sum;
   }
 
-  /// Of broken metal whose voids a step cannot close the strain changes nothing but the voids: it
-  /// may be as large as closes the smallest of them.
-  KOKKOS_INLINE_FUNCTION double borne_strain_squared(int p, double square) const {
-    constexpr double open = 0.5;   // broken metal with such voids bears nothing (voided_metal.hpp)
-    constexpr double share = 0.2;  // a strain of 0.5 counts as 0.1
-    const int column = particles.void_column;
-    const bool is_open = column >= 0 && particles.history(p, column) > open;
-    return is_open ? share * share * square : square;
+  /// What of a strain counts towards Largest Strain, squared.
+  KOKKOS_INLINE_FUNCTION double counted_squared(int p, double square) const {
+    const VoidRule& rule = particles.void_rule;
+    const bool is_open = rule.column >= 0 && particles.history(p, rule.column) > rule.open;
+    return is_open ? rule.share * rule.share * square : square;
   }
 
   /// @param at  motion of the nodes at the particle
@@ -149,7 +146,7 @@ struct InterpolateMotion {
         for (int j = 0; j < dimensions; ++j) increment(p, dimensions * i + j) = dt * at.d[j][i];
       if constexpr (dimensions == 2) increment(p, 4) = dt * at.hoop[0];
       const double square = dt * dt * rate_squared(at.d, at.hoop[0]);
-      if (square > largest) largest = real::larger(borne_strain_squared(p, square), largest);
+      if (square > largest) largest = real::larger(counted_squared(p, square), largest);
     }
     if (!returns) return largest;
     for (int k = rows.count; k < rows_per_batch; ++k) repeat_last(rows.count - 1, k, nodes);

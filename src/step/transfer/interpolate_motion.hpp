@@ -23,7 +23,8 @@ namespace barreno {
 /// Nothing is committed: a step that turns out too large is taken again from solve_velocity.
 ///
 /// @post particles.grid_motion and particles.increment (dt L: xx xy yx yy hoop)
-/// @return largest |D| dt of the set on this rank [-]
+/// @return largest |D| dt of the set on this rank, as it counts towards Largest Strain (VoidRule)
+/// [-]
 double interpolate_motion(
     const Grid& grid,
     const Dormancy& dormancy,

@@ -16,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <barreno/models.hpp>
 #include <cmath>
 #include <set>
 #include <string>
@@ -54,6 +55,25 @@ TEST(ViewOf, CopiesValuesAndMakesRoom) {
   EXPECT_EQ(view(0), 3);  // there was room
   make_room("values", 4, view);
   EXPECT_EQ(view.extent(0), 8U);
+}
+
+/// Copper whose void strain a step of |D| dt = 1/2 cannot close may have that strain, of which what
+/// Largest Strain allows counts; with a larger one it is like others. Solid metal has no such rule.
+TEST(Particles, OpenVoidsMayBeStrainedByAHalf) {
+  const Material solid = testing::copper().material();
+  JohnsonCook::Parameters porous = std::get<JohnsonCook>(solid.model).parameters();
+  porous.expansion_strain = 1;
+  const auto rule_of = [](const Material& material, double largest_strain) {
+    Scene scene = testing::box_scene(Mode::axisymmetric, cell, {0.0, 0.0}, {1.6, 0.8}, material);
+    scene.step.largest_strain = largest_strain;
+    return make_particles(scene, 0).void_rule;
+  };
+  const Material voided{"copper", solid.density, Expanded<JohnsonCook>(porous, solid.density)};
+  EXPECT_EQ(rule_of(voided, 0.1).column, Expanded<JohnsonCook>::history_count - 1);
+  EXPECT_DOUBLE_EQ(rule_of(voided, 0.1).open, std::sqrt(0.75));
+  EXPECT_DOUBLE_EQ(rule_of(voided, 0.1).share, 0.2);
+  EXPECT_EQ(rule_of(voided, 0.8).share, 1.0);
+  EXPECT_EQ(rule_of(solid, 0.1).column, -1);
 }
 
 TEST(Particles, ListEveryFieldOnce) {

@@ -46,8 +46,12 @@ TEST(StableStepOfCells, IsThatOfARowWhereAllAreAlike) {
       rule.stable_step(Cell::size, Cell::density, double(p.longitudinal_modulus(0)), 0.0, 7.0);
   EXPECT_NEAR(cell.step() / alone, 1.0, 1e-12);
   EXPECT_NEAR(stable_step_of_rows(cell.scene.step, cell.state.grid, p, 0) / alone, 1.0, 1e-12);
+  for (int row = 0; row < 4; ++row) p.body(row) |= debris_bit;
+  EXPECT_TRUE(std::isinf(cell.step())) << "debris bounds no step";
   p.count = 0;
-  EXPECT_TRUE(std::isinf(cell.step())) << "a jet that is not launched yet bounds no step";
+  p.sorted = false;
+  place_particles({false, true}, 1, continuum_of(cell.state));
+  EXPECT_TRUE(std::isinf(cell.step())) << "nor does a jet that is not launched yet";
 }
 
 /// sum m w^2 / sum m: a hundredth of the mass that is a hundred times as stiff doubles w^2, where

@@ -97,7 +97,7 @@ def cell_errors(name, rows, flow):
     if not lacking:
         return errors, ""
     why = lacking[0].scalars.get(f"{head}.unknown", "these runs do not say it")
-    return [], why if len(lacking) == len(rows) else f"in {len(lacking)} of {len(rows)} runs: {why}"
+    return [], why if len(lacking) == len(rows) else f"{why} ({len(lacking)} of {len(rows)} runs)"
 
 
 def at_least_zero(found, answer):
