@@ -201,7 +201,8 @@ def check_cells():
     answers.analyse_all(found, words.LATIN, shares, rows)
     assert found[0].cells_unknown == "it was never measured (3 of 24 runs)", found[0]
     said = report.sentence(found[0], [given()])
-    assert said.startswith("Depth 100 mm, 91 to 109 mm at 90 % (the error of the cells is not in it: it was never measured (3 of 24 runs"), said
+    why = "(the error of the cells is not in it: it was never measured (3 of 24 runs))"
+    assert said.startswith(f"Depth 100 mm, 91 to 109 mm at 90 % {why}"), said
 
 
 def check_cells_of_flow():
