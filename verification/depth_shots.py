@@ -72,9 +72,9 @@ def measured(finished, scale):
     reached = [time for time in TIMES if 1e-6 * scale * time <= table["time"][-1] * (1.0 + 1e-9)]
     depths = np.interp([1e-6 * scale * time for time in reached], table["time"], table["depth"])
     return {
-        "depth": [round(float(depth), 6) for depth in depths], "probed_depth": round(penetration["probed_depth"], 6),
-        "channel_volume": penetration["channel_volume"], "zones_in_body": penetration.get("zones_in_body"),
-        "efficiency": round(efficiency_of_run(finished.folder), 6),
+        "depth": [round(float(depth), 6) for depth in depths], "tip": round(penetration["depth"], 6), "end": summary["time"],
+        "probed_depth": round(penetration["probed_depth"], 6), "channel_volume": penetration["channel_volume"],
+        "zones_in_body": penetration.get("zones_in_body"), "efficiency": round(efficiency_of_run(finished.folder), 6),
         "profile": profile_of(barreno.open(finished.folder).hole),
         "lost": between_particles_and_grid(finished), "steps": summary["steps"], "cpu_seconds": summary["cpu_seconds"],
     }  # fmt: skip

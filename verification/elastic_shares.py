@@ -33,7 +33,7 @@ def numbers_of(material, entries):
 def measured(barreno, entries):
     softens = entries.get(ROCK_ENTRY + WORD, "constant") == "constant"
     fields = {"Output/Field Interval": f"{INTERVAL if softens else 0} us"}
-    finished = run_deck(barreno, "perforation.xml", {"Fidelity": "fast", **FORMER, **fields, **entries})
+    finished = run_deck(barreno, "perforation.xml", {"Fidelity": "fast", "Time/End Time": "400 us", **FORMER, **fields, **entries})
     energy = finished.summary["balances"]["energy"]
     found = {name: energy[name] for name in SHARES}
     found["materials"] = energy["materials"]

@@ -54,14 +54,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("barreno", type=pathlib.Path)
     parser.add_argument("--card", default=OF_THE_JOB, help="of materials/cards, without .xml; left out: that of the deck")
-    parser.add_argument("--until", metavar="TIME", help='end of the runs, as "120 us"; left out: that of the deck')
+    parser.add_argument("--until", metavar="TIME", default="400 us", help='end of the runs, as "120 us"; left out: 400 us')
     parser.add_argument("--study", type=pathlib.Path, metavar="FOLDER")
     parser.add_argument("--jobs", type=int, metavar="N")
     options = parser.parse_args()
     os.environ["BARRENO_PROGRAM"] = str(options.barreno.resolve())
     with tempfile.TemporaryDirectory() as scratch:
         study = (options.study or pathlib.Path(scratch) / "study").resolve()
-        entries = {"Materials/Sandstone/Card": f"{options.card}.xml", **({"Time/End Time": options.until} if options.until else {})}
+        entries = {"Materials/Sandstone/Card": f"{options.card}.xml", "Time/End Time": options.until}
         barreno.uncertainty(DECKS / "perforation.xml", fidelity="fast", design="one-at-a-time", runs=MOST, hold=HELD, jobs=options.jobs,
             out=study, set=entries)
         keep(options.card, options.until, measured(study))

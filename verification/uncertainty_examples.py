@@ -23,7 +23,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
 STORED = HERE / "results" / "uncertainty.json"
 PICTURE = ROOT / "docs" / "pictures" / "uncertainty.png"
-WORDS = "input_xml/perforation.xml --fidelity fast --flow radial"
+WORDS = 'input_xml/perforation.xml --fidelity fast --flow radial --set "Time/End Time=400 us"'
 
 
 def run_example(barreno, folder):

@@ -108,14 +108,22 @@ std::string rest_line(const Scene& scene) {
   const auto digs = std::count_if(slugs.begin(), slugs.end(), [&](const JetSlug& slug) {
     return slug.velocity >= cut_off;
   });
+  const std::string depth =
+      is_divided(scene)
+          ? format(
+                "%g times the depth of hydrodynamic theory, as holes of divided jets were found "
+                "(docs/trade.md)",
+                divided_depth_ratio
+            )
+          : "the depth of hydrodynamic theory (a real hole is deeper, and at rest later)";
   return format(
-      "Rest      predicted at %.3g s: when the last of %td slugs of at least %.4g m/s (Cut-off "
-      "Velocity) has dug, by hydrodynamic theory, and a fifth of the time since the first contact "
-      "has passed without growth; a real hole is deeper, and at rest later\n",
-      predicted_rest(scene),
-      digs,
-      cut_off
-  );
+             "Rest      predicted at %.3g s: when the last of %td slugs of at least %.4g m/s "
+             "(Cut-off Velocity) has dug, at ",
+             predicted_rest(scene),
+             digs,
+             cut_off
+         ) +
+         depth + ", and a fifth of the time since the first contact has passed without growth\n";
 }
 
 }  // namespace

@@ -101,6 +101,7 @@ std::string take_lengths(const Rows& rows, DepthTables& tables) {
 /// Whose error a row is: the depth first, then the others with the same cells.
 constexpr std::pair<std::string_view, DepthError DividedError::*> divided_rows[] = {
     {"depth", &DividedError::depth},
+    {"depth at rest", &DividedError::resting},
     {"probed depth", &DividedError::probed},
     {"volume", &DividedError::volume},
     {"efficiency", &DividedError::efficiency}};
@@ -118,7 +119,7 @@ std::string take_divided(const Rows& rows, DepthTables& tables) {
           return one.first == row.name;
         });
     if (whose == std::end(divided_rows)) return "nothing is known of rows \"" + row.name + "\"";
-    if (whose == std::begin(divided_rows)) found.push_back({cells, {}, {}, {}, {}});
+    if (whose == std::begin(divided_rows)) found.push_back({cells, {}, {}, {}, {}, {}});
     if (found.empty() || found.back().cells_per_radius != cells)
       return "a " + row.name + " does not follow the depth with the same cells";
     found.back().*(whose->second) = error;
@@ -127,7 +128,7 @@ std::string take_divided(const Rows& rows, DepthTables& tables) {
     return a.cells_per_radius < b.cells_per_radius;
   };
   if (found.size() < 2 || rows.size() != std::size(divided_rows) * found.size())
-    return "it has not four errors for each of several sizes of cells";
+    return "it has not five errors for each of several sizes of cells";
   return std::is_sorted(found.begin(), found.end(), fewer) ? "" : "its cells are not sorted";
 }
 

@@ -39,7 +39,8 @@ struct DepthError {
 /// Of jets that break, with particles that are divided (jet/divided_error.hpp).
 struct DividedError {
   double cells_per_radius = 0.0;
-  DepthError depth, probed, volume, efficiency;
+  DepthError depth, resting;  ///< of the tip: until a time that was measured, and of a hole at rest
+  DepthError probed, volume, efficiency;
 };
 
 struct DepthTables {

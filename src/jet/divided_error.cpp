@@ -116,12 +116,14 @@ bool is_divided(const Scene& scene) {
 }
 
 DepthDoubt divided_depth_doubt(const Scene& scene, double time, const DepthTables& tables) {
-  DepthDoubt doubt = doubt_of(scene, time, tables, &DividedError::depth);
   const double end = end_of(scene);
-  if (doubt.unknown.empty() && time > end * (1.0 + round_off))
+  const bool later = time > end * (1.0 + round_off);
+  if (later && scene.at_rest) return doubt_of(scene, time, tables, &DividedError::resting);
+  DepthDoubt doubt = doubt_of(scene, time, tables, &DividedError::depth);
+  if (doubt.unknown.empty() && later)
     doubt.unknown = format(
-        "it was measured until %.3g us only; what a hole narrower than the jet grows later follows "
-        "the cells",
+        "it was measured until %.3g us and at rest only; what a hole narrower than the jet grows "
+        "later follows the cells",
         1e6 * end
     );
   return doubt;

@@ -11,9 +11,14 @@ namespace barreno {
 /// error is not that of jets whose particles stay whole.
 bool is_divided(const Scene& scene);
 
+/// Depth at rest of the hole of such a jet over that of hydrodynamic theory (estimate_jet()):
+/// perforation.xml has 543 to 586 mm as wide as the jet, by the size of the cells, and 265 mm by
+/// the theory (docs/trade.md, Depth at rest). For predictions of the end of a run alone.
+inline constexpr double divided_depth_ratio = 2.1;
+
 /// What the cells do to the depth of such a jet. A thread of spent metal goes on when the hole as
-/// wide as the jet no longer grows, so the error of the depth is not known to the end; that of
-/// Penetration::probed_depth is.
+/// wide as the jet no longer grows: the error is known until a time, and of a run that ends at
+/// rest (Scene::at_rest). That of Penetration::probed_depth is known of any time.
 DepthDoubt divided_depth_doubt(
     const Scene& scene, double time, const DepthTables& tables = depth_tables()
 );

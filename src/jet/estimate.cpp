@@ -155,9 +155,10 @@ double predicted_rest(const Scene& scene) {
   const RestRule rule = rest_rule(scene);
   const double first = first_arrival(scene, path);
   const double unchanged = (estimate.time - rest_window * first) / (1.0 - rest_window);
+  const double depth = (is_divided(scene) ? divided_depth_ratio : 1.0) * estimate.depth;
   double rest = std::max(estimate.time + rule.least_window, unchanged);
   for (const ComingSlug& slug : rule.slugs)
-    rest = std::max(rest, slug.time + (rule.stand_off + estimate.depth) / (slowed * slug.velocity));
+    rest = std::max(rest, slug.time + (rule.stand_off + depth) / (slowed * slug.velocity));
   return rest;
 }
 

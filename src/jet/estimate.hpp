@@ -36,7 +36,7 @@ double first_arrival(const Scene& scene, const JetPath& path);
 
 /// When a launched jet's hole will be found at rest (jet/rest.hpp): after the last slug that is not
 /// slower than cut_off_velocity() has dug, by the theory above; 0 without a target [time]. The hole
-/// of a run is deeper, so that slugs arrive later.
+/// of a run is deeper, so that slugs arrive later: of divided particles divided_depth_ratio.
 double predicted_rest(const Scene& scene);
 
 /// The end of a run as far as it is known before: of a run to rest the predicted one, or its

@@ -18,9 +18,8 @@ from tools.runs import DECKS, mpi_environment
 
 QUICK = DECKS / "perforation_quick.xml"
 # Their jets still fly when they end.
-ENDS_EARLY = {"api_section_2.xml", "api_section_4.xml", "perforation_120us.xml", "perforation_3d.xml", "perforation.xml",
-    "perforation_cement.xml", "perforation_plane_cpdi.xml", "perforation_plane_gimp.xml", "perforation_quick.xml",
-    "perforation_refined.xml"}
+ENDS_EARLY = {"api_section_2.xml", "api_section_4.xml", "perforation_120us.xml", "perforation_3d.xml", "perforation_cement.xml",
+    "perforation_plane_cpdi.xml", "perforation_plane_gimp.xml", "perforation_quick.xml", "perforation_refined.xml"}
 OF_FIDELITY = ("Fidelity ", "The deck's own values take precedence over fidelity ")  # how its notes begin
 THIN_WALLS = {"driven_cone_3d.xml", "jet_formation_3d.xml"}
 THIN = " cells beside the explosive, fewer than 2"

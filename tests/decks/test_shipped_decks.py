@@ -40,8 +40,9 @@ COARSE = {
 
 
 def early(deck):
-    """The first hundredth of a deck's time, or less."""
-    value, unit = re.search(r'name="End Time"[^>]*value="([\d.e+-]+) *(\w*)"', (DECKS / deck).read_text()).groups()
+    """The first hundredth of a deck's time, or less; of one that ends at rest, after some 500 us, too."""
+    value, unit = re.search(r'name="End Time"[^>]*value="([\d.e+-]+|at rest) *(\w*)"', (DECKS / deck).read_text()).groups()
+    value, unit = ("500", "us") if value == "at rest" else (value, unit)
     return {"Time/End Time": f"{SHARE.get(deck, 0.01) * float(value)} {unit}".strip()}
 
 

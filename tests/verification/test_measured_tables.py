@@ -61,7 +61,7 @@ class DividedErrors(unittest.TestCase):
 
     def test_the_table_of_the_program_is_that_of_the_results(self):
         rows = rows_of(measured_tables.divided_errors())
-        self.assertEqual([row[0] for row in rows[:2]], ["depth", "probed depth"])
+        self.assertEqual([row[0] for row in rows[:3]], ["depth", "depth at rest", "probed depth"])
         for what, cells, value, low, high in rows:
             self.assertTrue(float(low) < float(value) < float(high), (what, cells))
 

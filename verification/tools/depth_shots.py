@@ -29,6 +29,7 @@ def scaled_table(velocity=1.0, radius=1.0):
     return file
 
 
+AT_REST = "at rest"
 ROCK = "Materials/Sandstone/Card"
 UNLIKE = {"Jet/Kind", "Bodies/Rock/Pore Pressure"}  # entries of whose changes the program knows no error
 CONTINUOUS, THINNED = {"Jet/Kind": "continuous"}, {"Jet/Kind": "thinned"}
@@ -42,6 +43,7 @@ WALL = {"Refinement/Wall/Lower": "{0 m, -0.01 m}", "Refinement/Wall/Upper": "{13
 HEATED = {"Materials/Sandstone/Specific heat": "1000 J/(kg K)"}  # changes no stress: losses have a place to return to
 SHOTS = {  # what differs from the deck: settings, and factors of the jet's velocity and radius
     "the deck": ({}, {}),
+    "the deck, to rest": ({"Time/End Time": AT_REST}, {}),
     "losses returned": ({"Step/Return Losses": "true"}, {}),
     "small cells to 13 mm from the axis": (WALL, {}),
     "no confinement": (BARE, {}),
@@ -70,8 +72,8 @@ def settings_of(shot):
     """Deck entries of a shot, its end included, and by how much it is slower."""
     entries, factors = SHOTS[shot]
     scale = 1.0 / factors.get("velocity", 1.0)
-    end = float(entries.get("Time/End Time", f"{TIMES[-1]} us").removesuffix(" us"))
-    found = {**entries, "Time/End Time": f"{scale * end:.6g} us"}
+    end = entries.get("Time/End Time", f"{TIMES[-1]} us")
+    found = {**entries, "Time/End Time": end if end == AT_REST else f"{scale * float(end.removesuffix(' us')):.6g} us"}
     if factors:
         found["Jet/Table"] = scaled_table(**factors)
     return found, scale

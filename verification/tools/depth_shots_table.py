@@ -10,7 +10,9 @@ from tools.depth_shots import SHOTS, STEP, TIMES, UNLIKE, widest_slug
 
 DECK = "the deck"
 # Shots that the intervals are made from; others try them.
-MADE_FROM = (DECK, "former rock", "former rock, no confinement", "former rock, no steel casing", "former rock, losses returned")
+RESTED, AT_REST = "the deck, to rest", "depth at rest"  # of the tip, whose thread grows on
+MADE_FROM = (DECK, RESTED, "former rock", "former rock, no confinement", "former rock, no steel casing",
+    "former rock, losses returned")  # fmt: skip
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
 REST = TIMES[-1]  # us: the hole as wide as the jet no longer grows
 WHAT = ("depth", "probed depth", "volume")
@@ -24,6 +26,7 @@ STORED = {"probed depth": "wide_depth", "volume": "channel_volume", FLOW: "effic
 LIKE = 1.1  # how far the program takes another jet for that of the deck (src/jet/divided_error.cpp)
 # Standard deviations of one run by which two single runs may differ: where the interval of one is held against another (docs/trade.md).
 APART = 3.0
+HIGHEST_ORDER = 4.0  # more is a last change that is small by chance
 
 
 def wide_depth(profile, probe):
@@ -134,7 +137,7 @@ def errors():
     larger ones are from them. The volume of a hole without confinement does not rest, and makes none, nor does the flow into it."""
     found, runs = {}, shots()[DECK]
     finest = max(runs)
-    for cells in sorted(runs):
+    for cells in sorted(shots()[RESTED]):  # smaller ones were not run to rest
         for what in answers_of(runs):
             of_deck = changes(runs, cells, finest, what)
             ranges = [*of_deck, 0.0]  # what was found may be right
@@ -143,7 +146,18 @@ def errors():
                     ranges += ranges_of(shot, cells, what)
             more = doubt(runs, what) + scatter(what)
             found.setdefault(cells, {})[what] = (of_deck[-1], min(ranges) - more, max(ranges) + more)
+            if what == "depth":
+                found[cells][AT_REST] = resting_error(cells)
     return found
+
+
+def resting_error(cells):
+    """Of the tip of the deck at rest: the error, widened by the last change, then or before, and by the scatter of runs."""
+    runs = shots()[RESTED]
+    *_, before, finest = sorted(runs)
+    error = runs[cells]["tip"] / runs[finest]["tip"] - 1.0
+    more = max(abs(runs[before]["tip"] / runs[finest]["tip"] - 1.0), doubt(shots()[DECK], "depth")) + scatter("depth")
+    return error, min(error, 0.0) - more, max(error, 0.0) + more
 
 
 def covered(depth, error, truth):
@@ -161,8 +175,9 @@ def trials():
             if cells == finest or cells not in known:
                 continue
             for what in [of for of in answers_of(runs) if of not in RESTING or not is_bare(shot)]:
-                depth, truth = (at(runs[c], what, REST) for c in (cells, finest))
-                error = known[cells][what]
+                of_rest = shot == RESTED and what == "depth"
+                depth, truth = (runs[c]["tip"] if of_rest else at(runs[c], what, REST) for c in (cells, finest))
+                error = known[cells][AT_REST if of_rest else what]
                 interval = depth / (1.0 + error[2]), depth / (1.0 + error[1])
                 yield shot, cells, finest, what, depth, interval, truth, covered(depth, error, truth)
 
@@ -196,6 +211,9 @@ runs are there):
 BEFORE = """The same of the former rock at 300 us, `berea_sandstone_bounded`, which neither breaks nor melts and has no limit of strength
 (`verification/depth_shots.py BARRENO "former rock" --cells N`):
 """
+RESTED_HEAD = """The same runs until the hole is at rest ([jets.md](jets.md#at-rest), `verification/depth_shots.py BARRENO "{shot}" --cells N`), single
+runs of the program as it is now, as is that with 4.5 cells above:
+"""
 WORTH = """![Radius of the hole against depth, with several sizes of cells](pictures/hole_of_cells.png)
 
 What this is worth:
@@ -204,8 +222,8 @@ What this is worth:
   ([jets.md](jets.md#at-rest)). With the former rock, whose hole is narrower, they hardly did after 300 us ({grown}). A hole
   narrows slowly where it ends, and necks come and go: one of a few millimetres decided between depths of 473 and 570 mm. So `probed_depth`
   (depth.csv, summary.json and the screen) passes necks of up to five diameters of that slug, where the hole is as wide on either side.
-- *The tip is that of a thread* of spent metal, thinner than the jet. To {rest} us its depth is known to the interval below. After that it
-  grows for long, the more the smaller the cells, and is not known.
+- *The tip is that of a thread* of spent metal, thinner than the jet. Its depth is known to the interval below to {rest} us, and to one of its
+  own where the run ends at rest. The thread may grow on after that.
 - *Single runs scatter*, those of small cells as much as others, because each slug meets what the one before has left (below).
 - *Small cells further from the path* change nothing beyond that scatter (below: small cells to 13 mm from the axis).
 - *Made before the rows of a cell decided on their step together* ([method](method.md) 4.1): steps and times are less now, the answers those
@@ -234,6 +252,21 @@ def deck_table(shot=DECK):
     return lines
 
 
+def rested_table():
+    """The deck at rest with each size of cells, and what the program says of the tip."""
+    head = ("cells per radius of the tip", "at rest after [us]", "tip [mm]", "its error, and interval", "as wide as the jet [mm]",
+        "volume [cm3]", "core flow efficiency", "steps", "processor time [s]")  # fmt: skip
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    for cells, one in sorted(shots()[RESTED].items()):
+        value, low, high = resting_error(cells)
+        tip = 1e3 * one["tip"]
+        values = [f"{1e6 * one['end']:.0f}", f"{tip:.0f}", f"{100 * value:+.0f} %, {tip / (1 + high):.0f} to {tip / (1 + low):.0f} mm",
+            f"{1e3 * one['probed_depth']:.0f}", f"{1e6 * one['channel_volume']:.1f}", f"{one['efficiency']:.3f}", str(one["steps"]),
+            f"{one['cpu_seconds']:.0f}"]  # fmt: skip
+        lines.append(f"| {cells:g} | " + " | ".join(values) + " |")
+    return lines
+
+
 def order_of(values):
     """p of f = f_0 + a n^-p through the last three sizes n, or None where there is none above 0 that explains them."""
     (n1, f1), (n2, f2), (n3, f3) = sorted(values.items())[-3:]
@@ -252,6 +285,7 @@ def converged():
         for what in answers_of(runs)}  # fmt: skip
     words = listed([f"{WORDS[what]}{' changes' if what == WHAT[0] else ''} by {change:+.1f} %" for what, change in by.items()])
     orders = {what: order_of({cells: mean_at(cells, one, what, REST) for cells, one in runs.items()}) for what in by}
+    orders = {what: order if order is not None and order <= HIGHEST_ORDER else None for what, order in orders.items()}
     known = [f"{order:.1f} for {WORDS[what]}" for what, order in orders.items() if order is not None]
     without = [WORDS[what] for what, order in orders.items() if order is None]
     sentence = f"From {before:g} to {last:g} cells per radius {words}."
@@ -259,7 +293,7 @@ def converged():
         sentence += f" The last three sizes give an order of convergence of {listed(known) if len(known) > 1 else known[0]}."
     if without:
         names = listed(without) if len(without) > 1 else without[0]
-        sentence += f" The changes of {names} do not fall from size to size: no order can be measured."
+        sentence += f" The changes of {names} do not fall steadily from size to size: no order can be measured."
     return sentence
 
 
@@ -268,7 +302,9 @@ def answer():
     ends = {cells: [1e3 * found[shot][cells]["wide_depth"] for shot in (FORMER, LATER)] for cells in sorted(found[LATER])}
     grown = [f"{then:.0f} mm then and {later:.0f} mm at 560 us with {cells:g} cells per radius" for cells, (then, later) in ends.items()]
     worth = WORTH.format(rest=REST, grown=", ".join(grown))
-    return "\n".join([HEAD.format(rest=REST), *deck_table(), "", converged(), "", BEFORE, *deck_table(FORMER), "", worth])
+    rested = [RESTED_HEAD.format(shot=RESTED), *rested_table()]
+    former = [BEFORE, *deck_table(FORMER)]
+    return "\n".join([HEAD.format(rest=REST), *deck_table(), "", converged(), "", *rested, "", *former, "", worth])
 
 
 TRIALS = """### Other shots, and whether the intervals hold

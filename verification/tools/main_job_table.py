@@ -61,7 +61,7 @@ def spread():
         found = of_words[words]
         low, high = (f"{factor * (found['with_cells'] or found['ranges'])[end]:.{digits}f}" for end in ("low", "high"))
         said.append(f"{short} {low} to {high}{unit}{'' if found['with_cells'] else ' without the error of the cells'}")
-    return f"{', '.join(said)} ({study['runs']} runs of *fast*, docs/uncertainty.md)"
+    return f"{', '.join(said)} ({study['runs']} runs of *fast* to 400 us, docs/uncertainty.md)"
 
 
 QUESTIONS = (
@@ -80,5 +80,6 @@ def lines():
     found = json.loads((RESULTS / "main_job.json").read_text())
     columns = [answers(found[deck], varied) for deck, varied in ((MAIN, spread()), (BEFORE, "not measured"))]
     ends = [f"{1e6 * found[deck]['end']:.0f} us" for deck in (MAIN, BEFORE)]
-    head = ["question", f"main job, to {ends[0]}", f"`{BEFORE}`, to {ends[1]}"]
+    rests = " (at rest)" if found[MAIN]["rest"]["at_rest"] else ""
+    head = ["question", f"main job, to {ends[0]}{rests}", f"`{BEFORE}`, to {ends[1]}"]
     return table(head, [list(row) for row in zip(QUESTIONS, *columns)])
