@@ -166,7 +166,9 @@ def draw_set(deck, table, rng):
 
 
 def metres_free(text):
-    """A time in seconds."""
+    """A time in seconds; of a deck that ends at rest, about when it does."""
+    if text == "at rest":
+        return 500e-6
     units = {"": 1.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
     value, _, unit = text.strip().partition(" ")
     return float(value) * units[unit.strip()]
