@@ -118,9 +118,11 @@ bool is_divided(const Scene& scene) {
 DepthDoubt divided_depth_doubt(const Scene& scene, double time, const DepthTables& tables) {
   const double end = end_of(scene);
   const bool later = time > end * (1.0 + round_off);
-  if (later && scene.at_rest) return doubt_of(scene, time, tables, &DividedError::resting);
-  DepthDoubt doubt = doubt_of(scene, time, tables, &DividedError::depth);
-  if (doubt.unknown.empty() && later)
+  // A run to rest that ends at its longest time is not at rest.
+  const bool rests = later && scene.at_rest && time < scene.end_time;
+  DepthDoubt doubt =
+      doubt_of(scene, time, tables, rests ? &DividedError::resting : &DividedError::depth);
+  if (doubt.unknown.empty() && later && !rests)
     doubt.unknown = format(
         "it was measured until %.3g us and at rest only; what a hole narrower than the jet grows "
         "later follows the cells",

@@ -9,8 +9,8 @@ from tools.case_list import RESULTS
 from tools.depth_shots import SHOTS, STEP, TIMES, UNLIKE, widest_slug
 
 DECK = "the deck"
-# Shots that the intervals are made from; others try them.
 RESTED, AT_REST = "the deck, to rest", "depth at rest"  # of the tip, whose thread grows on
+# Shots that the intervals are made from; others try them.
 MADE_FROM = (DECK, RESTED, "former rock", "former rock, no confinement", "former rock, no steel casing",
     "former rock, losses returned")  # fmt: skip
 FROM = 60  # us: the earlier hole is much wider than its slugs, and its depth that of any cells
@@ -268,13 +268,13 @@ def rested_table():
 
 
 def order_of(values):
-    """p of f = f_0 + a n^-p through the last three sizes n, or None where there is none above 0 that explains them."""
+    """p of f = f_0 + a n^-p through the last three sizes n, or None where none between 0 and HIGHEST_ORDER explains them."""
     (n1, f1), (n2, f2), (n3, f3) = sorted(values.items())[-3:]
     if (f2 - f1) * (f3 - f2) <= 0.0:
         return None
     ratio = (f3 - f2) / (f2 - f1)
     misfit = lambda p: (n2**-p - n3**-p) / (n1**-p - n2**-p) - ratio  # noqa: E731
-    return brentq(misfit, 1e-6, 40.0) if misfit(1e-6) * misfit(40.0) < 0.0 else None
+    return brentq(misfit, 1e-6, HIGHEST_ORDER) if misfit(1e-6) * misfit(HIGHEST_ORDER) < 0.0 else None
 
 
 def converged():
@@ -285,7 +285,6 @@ def converged():
         for what in answers_of(runs)}  # fmt: skip
     words = listed([f"{WORDS[what]}{' changes' if what == WHAT[0] else ''} by {change:+.1f} %" for what, change in by.items()])
     orders = {what: order_of({cells: mean_at(cells, one, what, REST) for cells, one in runs.items()}) for what in by}
-    orders = {what: order if order is not None and order <= HIGHEST_ORDER else None for what, order in orders.items()}
     known = [f"{order:.1f} for {WORDS[what]}" for what, order in orders.items() if order is not None]
     without = [WORDS[what] for what, order in orders.items() if order is None]
     sentence = f"From {before:g} to {last:g} cells per radius {words}."

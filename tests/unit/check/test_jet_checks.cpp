@@ -606,9 +606,12 @@ TEST(DividedError, OfTheDepthEndsWithTheMeasurementsAndThatOfTheWideHoleDoesNot)
   EXPECT_EQ(depth_doubt(scene, 400e-6, found).unknown, "");
   Scene to_rest = scene;
   to_rest.at_rest = true;
+  to_rest.end_time = 1e-3;
   to_rest.grid.cell_size = 1e-3 / tables.divided.front().cells_per_radius;
   EXPECT_EQ(depth_doubt(to_rest, 400e-6, found).error.low, tables.divided.front().depth.low);
   EXPECT_EQ(depth_doubt(to_rest, 500e-6, found).error.low, tables.divided.front().resting.low);
+  EXPECT_TRUE(says(depth_doubt(to_rest, 1e-3, found).unknown, "until 400 us and at rest only"))
+      << "the longest time has ended it";
   EXPECT_TRUE(says(depth_doubt(scene, 401e-6, found).unknown, "until 400 us and at rest only; what")
   );
   EXPECT_EQ(probed_depth_doubt(scene, 560e-6, found).unknown, "");
