@@ -103,9 +103,12 @@ def changes(runs, coarse, fine, what):
 
 
 def doubt(runs, what):
-    """How far the smallest cells may be from the truth: as far as the next larger ones are from them."""
-    *_, before, finest = sorted(runs)
-    return max(map(abs, changes(runs, before, finest, what)))
+    """How far the smallest cells may be from the truth: as far as the next larger ones are from them; of what shows no order, whose last
+    change may be small by chance, as far as either of the two before."""
+    *_, earlier, before, finest = sorted(runs)
+    ordered = order_of({cells: mean_at(cells, one, what, REST) for cells, one in runs.items()}) is not None
+    others = (before,) if ordered else (earlier, before)
+    return max(abs(change) for cells in others for change in changes(runs, cells, finest, what))
 
 
 def is_bare(shot):
