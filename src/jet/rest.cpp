@@ -2,6 +2,7 @@
 #include "jet/rest.hpp"
 
 #include "base/format.hpp"
+#include "base/numbers.hpp"
 #include "jet/path.hpp"
 #include "scene/jet.hpp"
 #include "state/balance.hpp"
@@ -48,23 +49,33 @@ std::string unrest_sentence(const Rest& rest) {
          " of the jet's mass, which still digs, is on its way.";
 }
 
-/// What has not grown.
+/// What has hardly grown, and by how much.
 std::string settled_text(const Rest& rest) {
-  std::string text;
-  if (has_growing_thread(rest))
-    text = format("as far as it is as wide as the jet, to %.4g mm, ", 1e3 * rest.probed_depth);
-  text += "its depth grew by less than " + percent_text(rest_share) + " in the last " +
-          microseconds(rest.window);
-  return rest.probed ? text + ", its volume too" : text;
+  const double growth = rest.probed ? share_of(rest.probed_growth, rest.probed_depth)
+                                    : share_of(rest.growth, rest.depth);
+  const std::string where =
+      has_growing_thread(rest) ? "as far as it is as wide as the jet, " : std::string();
+  const std::string text = where + "its depth grew by " + percent_text(growth) + " in the last " +
+                           microseconds(rest.window);
+  if (!rest.probed) return text;
+  return text + ", its volume by " + percent_text(share_of(rest.volume_growth, rest.probed_volume));
 }
 
 std::string thread_sentence(const Rest& rest) {
   if (!has_growing_thread(rest)) return {};
-  return format(
-      " Its narrower end, to %.4g mm, grew at %.4g m/s; such a thread may still grow.",
-      1e3 * rest.depth,
-      rest.rate()
-  );
+  return format(" Its narrower end grew at %.4g m/s; such a thread may still grow.", rest.rate());
+}
+
+/// Whether a hole as wide as the jet grew by no more than can be told from no growth: its depth is
+/// known in whole rows, its volume as well as the place of its wall. The wall's area is that of a
+/// cylinder with this depth and volume: 2 sqrt(pi V L).
+bool is_settled(const RestRule& rule, const Rest& rest) {
+  const double wall = rule.plane ? 2.0 * rest.probed_depth
+                                 : 2.0 * std::sqrt(pi * rest.probed_volume * rest.probed_depth);
+  const double depth = std::max(rest_share * rest.probed_depth, rule.row);
+  const double volume = std::max(rest_share * rest.probed_volume, wall_share * rule.row * wall);
+  // A row more or less, as a sum of rows, has a rounding error.
+  return rest.probed_growth <= depth * (1.0 + 1e-9) && rest.volume_growth <= volume;
 }
 
 /// Whether the numbers of a look can be of a run at this time.
@@ -107,9 +118,12 @@ RestRule rest_rule(const Scene& scene) {
   const JetSpec& jet = scene.jet;
   const double cut_off = cut_off_velocity(scene);
   const std::vector<double> masses = jet_table_masses(scene);
+  const JetPath path = jet_path(scene);
   RestRule rule;
   rule.least_window = radii * widest_radius(scene) / fastest_velocity(jet);
-  rule.stand_off = std::abs(jet_path(scene).face - jet.launch_position);
+  rule.stand_off = std::abs(path.face - jet.launch_position);
+  rule.row = path.bin;
+  rule.plane = scene.grid.mode == Mode::plane_strain;
   for (std::size_t s = 0; s < jet.slugs.size(); ++s) {
     const JetSlug& slug = jet.slugs[s];
     rule.jet_mass += masses[s];
@@ -178,9 +192,8 @@ void RestWatch::judge() {
   last_.probed = !last_.through && now.probed_depth >= wide_share * now.depth;
   const double bottom = last_.probed ? now.probed_depth : now.depth;
   last_.share_on_its_way = share_on_its_way(rule_, last_.time, bottom);
-  const bool settled = last_.probed ? last_.probed_growth <= rest_share * now.probed_depth &&
-                                          last_.volume_growth <= rest_share * now.probed_volume
-                                    : last_.growth <= rest_share * now.depth;
+  const bool settled =
+      last_.probed ? is_settled(rule_, last_) : last_.growth <= rest_share * now.depth;
   last_.at_rest = settled && last_.share_on_its_way <= rest_share;
 }
 

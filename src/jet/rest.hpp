@@ -12,9 +12,13 @@
 namespace barreno {
 
 /// The hole of a jet is at rest if its depth and its volume have grown by no more than this share
-/// in a window of time, and if no more than the same share of the jet's mass is on its way
-/// (docs/jets.md): each part of the mass makes about the same part of the depth.
+/// in a window of time, or by less than the cells can tell, and if no more than the same share of
+/// the jet's mass is on its way (docs/jets.md): each part of the mass makes about the same part of
+/// the depth.
 inline constexpr double rest_share = 1e-3;
+/// Part of a cell by which the wall of the hole may seem to have moved: debris and loose rock on
+/// it, moving to and fro, shift it by up to 0.09 of a cell (docs/jets.md, At rest).
+inline constexpr double wall_share = 0.1;
 /// The window, of the time since the jet met its target. It grows with the hole, which grows ever
 /// more slowly, and in bursts: it must be longer than most pauses between them, in which necks are
 /// closed or no slug arrives.
@@ -41,6 +45,8 @@ struct RestRule {
   double least_window = 0.0;  ///< in which the tip flies twenty radii of the widest slug [time]
   double stand_off = 0.0;     ///< of the launch plane from the outer face of the target [length]
   std::vector<ComingSlug> slugs{};
+  double row = 0.0;           ///< of the hole, whose depth is a number of them: one cell [length]
+  bool plane = false;         ///< plane strain: volumes are areas
 };
 RestRule rest_rule(const Scene& scene);
 

@@ -6,6 +6,7 @@ longest time that is too short. What `check` and resume say of it.
     test_rest.py BARRENO
 """
 import json
+import math
 import pathlib
 import sys
 import tempfile
@@ -17,6 +18,7 @@ DECK = str(DECKS / "perforation_quick.xml")
 # Three slugs that dig, one of which comes late, and one below the cut-off velocity that would come later.
 SLUGS = "4x5:{0, 6000, 2e-3, 6e-3, 17600, 2e-6, 5500, 2e-3, 6e-3, 17600, 8e-6, 3000, 2e-3, 6e-3, 17600, 20e-6, 250, 2e-3, 4e-3, 17600}"
 LATE, STOPPED = 8e-6, 250.0
+CELL = 2e-3
 SIZES = ("depth", "probed_depth", "probed_volume")
 SETTINGS = ("Time/End Time=at rest", "Jet/Table=", f"Jet/Slugs={SLUGS}", "Output/History Interval=0.5 us", "Output/Field Interval=10 us",
     "Grid/Upper={40 mm, 170 mm}", "Bodies/Casing/Lower={0 mm, 0 mm}", "Bodies/Casing/Upper={20 mm, 4 mm}",
@@ -59,12 +61,17 @@ def check_end(said, summary, folder):
             return False
         before = max(i for i, t in enumerate(depths["time"]) if t <= begin)
         assert largest["probed_depth"][row] >= 0.5 * largest["depth"][row], "the depth alone would decide"
-        return all(largest[name][row] - largest[name][before] <= 1e-3 * largest[name][row] for name in SIZES[1:])
+        depth, volume = (largest[name][row] for name in SIZES[1:])
+        grown, widened = (largest[name][row] - largest[name][before] for name in SIZES[1:])
+        wall = 2.0 * math.sqrt(math.pi * volume * depth)
+        return grown <= max(1e-3 * depth, 1.000001 * CELL) and widened <= max(1e-3 * volume, 0.1 * CELL * wall)
 
     rows = len(depths["time"])
     assert settled(rows - 1), "the hole still grew"
-    assert rest["probed"] and rest["probed_growth"] <= 1e-3 * largest["probed_depth"][-1], rest
-    assert rest["volume_growth"] <= 1e-3 * largest["probed_volume"][-1], rest
+    before = max(i for i, t in enumerate(depths["time"]) if t <= time - rest["window"] * (1.0 - 1e-9))
+    assert rest["probed"], rest
+    for name, growth in zip(SIZES[1:], ("probed_growth", "volume_growth")):
+        assert abs(rest[growth] - (largest[name][-1] - largest[name][before])) <= 1e-12 * largest[name][-1], (growth, rest)
     assert rest["share_on_its_way"] <= 1e-3 and rest["window"] > 0.15 * (time - first), rest
     check_sentence(rest, time, largest)
     assert rest["sentence"] in said and ", at rest." in said and "100 %" in said, said
@@ -74,12 +81,13 @@ def check_end(said, summary, folder):
 
 def check_sentence(rest, time, largest):
     """The target is free and drifts ahead: the tip, which it carries, goes on where the hole no longer grows, and that is said."""
-    said, far, tip = rest["sentence"], 1e3 * largest["probed_depth"][-1], 1e3 * largest["depth"][-1]
+    said = rest["sentence"]
     grew = rest["growth"] > 1e-3 * largest["depth"][-1]
-    where = f"as far as it is as wide as the jet, to {far:.4g} mm, " if grew else ""
-    assert said.startswith(f"The hole is at rest at {1e6 * time:.4g} us: {where}its depth grew by less than 0.1 % in the last"), rest
-    assert ", its volume too, and nothing of the jet that can still reach the bottom is on its way." in said, rest
-    assert rest["thread_grew"] == grew == (f" Its narrower end, to {tip:.4g} mm, grew at" in said), rest
+    where = "as far as it is as wide as the jet, " if grew else ""
+    deeper, wider = (100.0 * rest[name] / largest[of][-1] for name, of in (("probed_growth", SIZES[1]), ("volume_growth", SIZES[2])))
+    assert said.startswith(f"The hole is at rest at {1e6 * time:.4g} us: {where}its depth grew by {deeper:.2g} % in the last"), rest
+    assert f", its volume by {wider:.2g} %, and nothing of the jet that can still reach the bottom is on its way." in said, rest
+    assert rest["thread_grew"] == grew == (" Its narrower end grew at" in said), rest
 
 
 def check_quantities(summary):

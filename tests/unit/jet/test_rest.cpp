@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
 #include "jet/estimate.hpp"
 #include "jet/rest.hpp"
 #include "scene/jet.hpp"
@@ -61,9 +62,9 @@ TEST(Rest, AHoleThatHasStoppedIsAtRestAFifthOfItsTimeLater) {
   EXPECT_EQ(watch.last().growth, 0.0);
   EXPECT_EQ(
       rest_sentence(watch.last()),
-      "The hole is at rest at 60.25 us: its depth grew by less than 0.1 % in the last 10 us, and "
-      "nothing of "
-      "the jet that can still reach the bottom is on its way."
+      "The hole is at rest at 60.25 us: its depth grew by 0 % in the last 10 us, and nothing of "
+      "the "
+      "jet that can still reach the bottom is on its way."
   );
 }
 
@@ -159,11 +160,11 @@ TEST(Rest, AThreadBehindAHoleAsWideAsTheJetDoesNotCount) {
   EXPECT_TRUE(has_growing_thread(watch.last()));
   EXPECT_EQ(
       rest_sentence(watch.last()),
-      "The hole is at rest at 60.25 us: as far as it is as wide as the jet, to 202.6 mm, its depth "
-      "grew by less than 0.1 % in the last 10 us, its volume too, and nothing of the jet that can "
-      "still reach the bottom is on its way. Its narrower end, to 207.7 mm, grew at 500 m/s; such "
-      "a "
-      "thread may still grow."
+      "The hole is at rest at 60.25 us: as far as it is as wide as the jet, its depth grew by 0 % "
+      "in "
+      "the last 10 us, its volume by 0 %, and nothing of the jet that can still reach the bottom "
+      "is "
+      "on its way. Its narrower end grew at 500 m/s; such a thread may still grow."
   );
   RestWatch whole(rule_with());
   const auto plain = [](double t) {
@@ -175,8 +176,9 @@ TEST(Rest, AThreadBehindAHoleAsWideAsTheJetDoesNotCount) {
   EXPECT_FALSE(has_growing_thread(whole.last()));
   EXPECT_EQ(
       rest_sentence(whole.last()),
-      "The hole is at rest at 60.25 us: its depth grew by less than 0.1 % in the last 10 us, its "
-      "volume too, and nothing of the jet that can still reach the bottom is on its way."
+      "The hole is at rest at 60.25 us: its depth grew by 0 % in the last 10 us, its volume by 0 "
+      "%, "
+      "and nothing of the jet that can still reach the bottom is on its way."
   );
 }
 
@@ -218,6 +220,55 @@ TEST(Rest, AHoleThatWidensIsNotAtRest) {
       "The hole is not at rest: its depth grew at 500 m/s in the last 14 us, as far as it is as "
       "wide as the jet by 0 %, its volume there by 0.28 %."
   );
+}
+
+/// A hole of 202.6 mm and 20.26 cm3 whose wall has 7181 mm2, that goes on as it is told.
+template <class Growth>
+double first_rest_of_cells(double cell, const Growth& goes_on, bool plane = false) {
+  RestRule rule = rule_with();
+  rule.row = cell;
+  rule.plane = plane;
+  RestWatch watch(rule);
+  return first_rest(watch, [&](double t) {
+    Penetration found = threaded_hole_at(t);
+    if (t > stop) goes_on(found, (t - stop) / us);
+    return found;
+  });
+}
+
+TEST(Rest, ARowOfCellsIsNoGrowth) {
+  const double row = 1e-3;  // 0.5 % of the depth
+  const auto rows = [row](double each) {
+    return [row, each](Penetration& found, double since) {
+      found.probed_depth += row * std::floor(since / each);
+    };
+  };
+  // One row in each 30 us, longer than the window of up to 38 us allows two of.
+  EXPECT_DOUBLE_EQ(first_rest_of_cells(row, rows(30.0)), 60.25 * us);
+  EXPECT_EQ(first_rest_of_cells(row, rows(4.0)), 0.0) << "rows follow each other";
+  EXPECT_EQ(first_rest_of_cells(0.4 * row, rows(7.0)), 0.0) << "rows of smaller cells";
+}
+
+TEST(Rest, AWallThatMovesByLessThanATenthOfACellIsNoGrowth) {
+  const double wall = 2.0 * std::sqrt(pi * 1e-4 * bottom * bottom);
+  const auto widening = [wall](double each) {  // [length/us] of the wall
+    return [wall, each](Penetration& found, double since) {
+      found.probed_volume += wall * each * since;
+    };
+  };
+  const double cell = 1e-3;
+  // In the last 10 to 38 us: 0.02 to 0.076 of a cell, and 0.11 of it from the first window on.
+  EXPECT_DOUBLE_EQ(first_rest_of_cells(cell, widening(0.002 * cell)), 60.25 * us);
+  EXPECT_EQ(first_rest_of_cells(cell, widening(0.012 * cell)), 0.0);
+  EXPECT_EQ(first_rest_of_cells(0.1 * cell, widening(0.002 * cell)), 0.0) << "smaller cells";
+  // Plane strain: walls on both sides, of the depth only.
+  const auto parting = [](double each) {
+    return [each](Penetration& found, double since) {
+      found.probed_volume += 2.0 * bottom * each * since;
+    };
+  };
+  EXPECT_DOUBLE_EQ(first_rest_of_cells(cell, parting(0.002 * cell), true), 60.25 * us);
+  EXPECT_EQ(first_rest_of_cells(cell, parting(0.012 * cell), true), 0.0);
 }
 
 TEST(Rest, NecksThatComeAndGoAreNoGrowth) {
