@@ -19,6 +19,7 @@ import pathlib
 import sys
 
 from tools import foreign_python  # noqa: F401
+from tools import shot_stress
 from tools.depth_shots import PICTURE, SHOTS, STEP, TIMES, settings_of, widest_slug
 from tools.flow_efficiency import efficiency_of_run
 from tools.penetration import between_particles_and_grid
@@ -119,6 +120,7 @@ def main():
             settings = {**DIVIDED, **entries, "Jet/Cells Per Radius": cells}
             keep(shot, cells, measured(run_deck(options.barreno.resolve(), "perforation.xml", settings), scale))
     draw(json.loads(STORED.read_text()))
+    shot_stress.draw()
     write_pages()
     return 0
 

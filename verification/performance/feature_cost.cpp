@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every form of Arenisca costs against its error, over updates recorded from perforations:
 //
-//   barreno_feature_cost CARD DRY WET ANGLED ANGLED_WET GUDEHUS GUDEHUS_WET MOHR MOHR_WET [CSV]
+//   barreno_feature_cost CARD DRY WET ANGLED ANGLED_WET GUDEHUS GUDEHUS_WET MOHR MOHR_WET DAMAGED
+//   CRACKED HEATED HEATED_WET [CSV]
 //
-// for dry, wet, scattering, rate-dependent rock, with each third invariant, and for the forms for
-// comparison; over the tolerance. DRY and the others are files of points; those with a third
-// invariant update points that were recorded with the same one (ANGLED: Willam-Warnke).
+// for dry, wet, scattering, rate-dependent rock, with each third invariant, for cards with damage
+// and heat, which lie beside CARD, and for the forms for comparison; over the tolerance. DRY and
+// the others are files of points; forms with a third invariant, damage or heat update points that
+// were recorded with the same (ANGLED: Willam-Warnke).
 #include "rock_forms.hpp"
 #include "rock_points.hpp"
 
@@ -15,6 +17,7 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -233,7 +236,7 @@ void print_row(std::FILE* out, const char* format, const Row& r) {
 
 /// Recorded points, and what a table calls them.
 struct PointsFile {
-  const char* name;
+  std::string name;
   const char* file;
   RecordedPoints points;
 };
@@ -254,7 +257,7 @@ int write_csv(
     std::fprintf(
         out,
         "# %s points: %zu that flow, %zu elastic, %zu hardest\n",
-        f.name,
+        f.name.c_str(),
         f.points.flowing.size(),
         f.points.elastic.size(),
         f.points.hardest.size()
@@ -278,15 +281,11 @@ bool are_enough(const PointsFile& f) {
   return false;
 }
 
-/// The place of a form's points among the files: each shape of the third invariant has its own.
-std::size_t file_of(const RockForm& form) {
-  const std::size_t wet = form.wet ? 1 : 0;
-  for (const CardValue& value : form.values) {
-    if (std::string(value.name) != "J3_type") continue;
-    const std::string shape = value.word;
-    return wet + (shape == "Gudehus" ? 4 : shape == "Mohr-Coulomb" ? 6 : 2);
-  }
-  return wet;
+/// The points that a form updates.
+const RecordedPoints& points_of_form(const std::vector<PointsFile>& files, const RockForm& form) {
+  for (const PointsFile& f : files)
+    if (f.name == form.points) return f.points;
+  throw std::runtime_error("no file holds points for '" + form.name + "'; correct rock_forms.cpp.");
 }
 
 int run(const std::string& card, std::vector<PointsFile>& files, const char* csv) {
@@ -295,7 +294,7 @@ int run(const std::string& card, std::vector<PointsFile>& files, const char* csv
     if (!are_enough(f)) return 2;
   }
   const auto points_of_row = [&](const Row& row) -> const RecordedPoints& {
-    return files[file_of(row.form)].points;
+    return points_of_form(files, row.form);
   };
   std::vector<Row> rows = rows_to_measure();
   // In rounds, so that what else the machine does meets all forms alike.
@@ -332,11 +331,17 @@ int main(int argc, char** argv) {
       "Gudehus",
       "Gudehus wet",
       "Mohr-Coulomb",
-      "Mohr-Coulomb wet"};
+      "Mohr-Coulomb wet",
+      "damaged",
+      "cracked",
+      "heated",
+      "heated wet"};
   const int first = 2, end = first + static_cast<int>(names.size());
   if (argc < end) {
-    std::cerr << "barreno_feature_cost needs a card of dry rock and eight files of points: dry and "
-                 "wet, and both with Willam-Warnke, Gudehus and Mohr-Coulomb.\n";
+    std::cerr
+        << "barreno_feature_cost needs a card of dry rock and twelve files of points: dry and "
+           "wet, both with Willam-Warnke, Gudehus and Mohr-Coulomb, then damaged, with "
+           "tension cutoff, heated, heated and wet.\n";
     return 1;
   }
   std::vector<barreno::PointsFile> files;

@@ -23,16 +23,18 @@ from barreno.runs.csv_table import WORDS, read_csv
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 CARD = "materials/cards/berea_sandstone.xml"
-KINDS = ("", "wet_", "angled_", "angled_wet_", "gudehus_", "gudehus_wet_", "mohr_coulomb_", "mohr_coulomb_wet_")
+KINDS = ("", "wet_", "angled_", "angled_wet_", "gudehus_", "gudehus_wet_", "mohr_coulomb_", "mohr_coulomb_wet_", "damaged_", "cracked_",
+    "heated_", "heated_wet_")  # fmt: skip
 POINTS = [HERE / f"{kind}rock_points.csv" for kind in KINDS]
 TABLE = ROOT / "verification" / "results" / "feature_cost.csv"
 PICTURE = ROOT / "docs" / "pictures" / "arenisca_forms_cost.png"
 PAGE = ROOT / "docs" / "materials" / "arenisca_forms_cost.md"
 DEFAULT = 1e-2  # tolerance of a card
-MOST_WET, MOST_WET_ELASTIC, MOST_RATIO, MOST_SINGLE = 1000.0, 60.0, 1.5, 20000.0  # bars; ns
+MOST_WET, MOST_WET_ELASTIC, MOST_RATIO, MOST_HEATED, MOST_SINGLE = 1000.0, 60.0, 1.5, 1.15, 20000.0  # bars; ns
 MOST_DRY, MOST_DRY_ELASTIC, WISHED_DRY = 361.0, 18.8, 250.0  # what dry points took before the law was written once; ns
 COMPARISON = ("bisection", "elastic centre", "plastic", "plastic, arenisca3")
 ANGLES = ("Gudehus", "Willam-Warnke", "Mohr-Coulomb")
+HEATED = ("dry, damage", "dry, heat", "dry, heat and tension cutoff", "wet, heat")
 
 WHY_ANGLE = (
     "The closest point is searched in pressure and Lode angle together. One evaluation of both conditions with their derivatives costs "
@@ -44,6 +46,11 @@ WHY_ANGLE = (
 WHY_DRY = (
     "A point that flows takes 15 evaluations of the law on average at the default tolerance (docs/materials/arenisca_cost.md). The two "
     "predictions and the return need most of them; fewer need a looser tolerance."
+)
+WHY_HEATED = (
+    "Each evaluation has damage, dilation that falls with pressure, moduli of grains that stiffen and a temperature besides. With a tension "
+    "cutoff it has principal stresses too, and takes more substeps. In wet rock the pressure of the pores is found again for grains and "
+    "water whose stiffness follows pressure and temperature."
 )
 WHY_SLOWEST = (
     "The substeps take the time, one after the other, however many lanes are free. The tolerance asks for so many where the increment is "
@@ -99,6 +106,9 @@ def bars(rows):
             ratio = found[f"{base}, {feature}"]["ns_lanes"] / found[f"{base}, plain"]["ns_lanes"]
             why = WHY_ANGLE if feature in ANGLES else ""
             out.append(((f"{base}, {feature}", f"time over {base}, plain, in lanes"), ratio, MOST_RATIO, "times", why))
+    for form in HEATED:
+        ratio = found[form]["ns_lanes"] / found[base_of(form)]["ns_lanes"]
+        out.append(((form, f"time over {base_of(form)}, in lanes"), ratio, MOST_HEATED, "times", WHY_HEATED))
     for form, row in found.items():
         if not is_comparison(form):
             what = (form, f"dearest single update, {row['substeps_of_slowest']:.0f} substeps")
@@ -195,11 +205,12 @@ def page_text(notes, rows):
         "",
         "Written by `verification/performance/feature_cost.py build/release`; do not edit by hand. Every form of Arenisca, each feature "
         "alone and",
-        "all together, and the forms for comparison, updates rock points of `input_xml/perforation_quick.xml`. Dry forms update points of "
-        "the dry",
-        "deck, wet forms points of the deck with water in the pores, and forms with a third invariant points of decks whose rock has the "
-        "same one. The",
-        "points are random samples of all steps, and the updates that flow with the most substeps, recorded by",
+        "all together, cards with damage and heat, and the forms for comparison, updates rock points of `input_xml/perforation_quick.xml`. "
+        "Dry forms",
+        "update points of the dry deck, wet forms points of the deck with water in the pores, and forms with a third invariant, damage or "
+        "heat points of",
+        "decks whose rock has the same. The points are random samples of all steps, and the updates that flow with the most substeps, "
+        "recorded by",
         "",
         *recorded,
         "",
@@ -253,9 +264,13 @@ def stored_part():
         line("`Weibull modulus`", "scattered", ["dry, scatter"]),
         line("`T1_rate_dependence`", "rated", ["dry, rate"]),
         line("`J3_type`", "angled; with rate dependence and scatter too", [f"dry, {one}" for one in (*ANGLES, "all")]),
+        line("`Fracture strain`, `Dilatancy limit`, `Broken dilatancy`: `berea_sandstone_damage`", "damaged", ["dry, damage"]),
+        line("heat and a limit of strength besides: `berea_sandstone_heat`", "heated", ["dry, heat"]),
+        line("`Tension cutoff` besides: `berea_sandstone_cracks`", "heated", ["dry, heat and tension cutoff"]),
         line("`fluid_B0`", "wet", ["wet, plain"]),
         line("with `Weibull modulus` or `T1_rate_dependence`", "rated wet", ["wet, scatter", "wet, rate"]),
         line("with `J3_type`", "angled wet; with rate dependence and scatter too", [f"wet, {one}" for one in (*ANGLES, "all")]),
+        line("damage, heat and a limit of strength: `berea_sandstone_heat_wet`", "heated wet", ["wet, heat"]),
         line("`Return solver = bisection`", "general", ["dry, bisection"]),
         line("`fluid_B0`, `Backstress strain = elastic centre` or `plastic`", "general: published",
             [f"wet, {one}" for one in COMPARISON[1:]]),

@@ -3,6 +3,7 @@
 
 #include <barreno/registry.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -32,30 +33,43 @@ std::vector<RockForm> rock_forms() {
   const Values centre = {{"Backstress strain", 0.0, "elastic centre"}};
   const Values plastic = {{"Backstress strain", 0.0, "plastic"}};
   const Values arenisca3 = {{"Undrained moduli", 0.0, "arenisca3"}};
-  const std::vector<std::pair<std::string, Values>> features = {
-      {"plain", {}},
-      {"scatter", scatter},
-      {"rate", rate},
-      {"Gudehus", third_invariant("Gudehus")},
-      {"Willam-Warnke", third_invariant("Willam-Warnke")},
-      {"Mohr-Coulomb", third_invariant("Mohr-Coulomb")},
-      {"all", third_invariant("Willam-Warnke") + rate + scatter}};
+  struct Feature {
+    const char* name;
+    const char* points;  // of rock with the same third invariant
+    Values values;
+  };
+  const std::vector<Feature> features = {
+      {"plain", "", {}},
+      {"scatter", "", scatter},
+      {"rate", "", rate},
+      {"Gudehus", "Gudehus", third_invariant("Gudehus")},
+      {"Willam-Warnke", "angled", third_invariant("Willam-Warnke")},
+      {"Mohr-Coulomb", "Mohr-Coulomb", third_invariant("Mohr-Coulomb")},
+      {"all", "angled", third_invariant("Willam-Warnke") + rate + scatter}};
   std::vector<RockForm> forms;
-  for (const bool wet : {false, true})
-    for (const auto& feature : features)
+  for (const std::string base : {"dry", "wet"})
+    for (const Feature& feature : features) {
+      const std::string shape = feature.points;
+      const std::string points = shape.empty() ? base : base == "wet" ? shape + " wet" : shape;
       forms.push_back(
-          {std::string(wet ? "wet" : "dry") + ", " + feature.first,
-           wet,
-           (wet ? water : Values{}) + feature.second}
+          {base + ", " + feature.name, points, (base == "wet" ? water : Values{}) + feature.values}
       );
-  forms.push_back({"dry, bisection", false, bisection});
-  forms.push_back({"wet, elastic centre", true, water + centre});
-  forms.push_back({"wet, plastic", true, water + plastic});
-  forms.push_back({"wet, plastic, arenisca3", true, water + plastic + arenisca3});
+    }
+  forms.push_back({"dry, damage", "damaged", {}, "berea_sandstone_damage.xml"});
+  forms.push_back({"dry, heat and tension cutoff", "cracked", {}, "berea_sandstone_cracks.xml"});
+  forms.push_back({"dry, heat", "heated", {}, "berea_sandstone_heat.xml"});
+  forms.push_back({"wet, heat", "heated wet", {}, "berea_sandstone_heat_wet.xml"});
+  forms.push_back({"dry, bisection", "dry", bisection});
+  forms.push_back({"wet, elastic centre", "wet", water + centre});
+  forms.push_back({"wet, plastic", "wet", water + plastic});
+  forms.push_back({"wet, plastic, arenisca3", "wet", water + plastic + arenisca3});
   return forms;
 }
 
-Material make_form(const std::string& card, const RockForm& form, double tolerance) {
+Material make_form(const std::string& base, const RockForm& form, double tolerance) {
+  const std::string card = form.card == nullptr
+                               ? base
+                               : (std::filesystem::path(base).parent_path() / form.card).string();
   std::ifstream in(card);
   std::ostringstream text;
   text << in.rdbuf();
@@ -72,6 +86,7 @@ Material make_form(const std::string& card, const RockForm& form, double toleran
 }
 
 std::string words_of(const RockForm& form) {
+  if (form.card != nullptr) return form.card;
   std::string text;
   for (const CardValue& value : form.values) {
     char number[32];

@@ -17,22 +17,23 @@ struct CardValue {
   const char* word = nullptr;
 };
 
-/// A form of Arenisca: what is added to a card of dry rock.
+/// A form of Arenisca: what is added to a card of dry rock, or a card beside it.
 struct RockForm {
   std::string name;
-  bool wet;
+  std::string points;  ///< the recorded ones that it updates
   std::vector<CardValue> values;
+  const char* card = nullptr;  ///< a file in the same folder
 };
 
-/// Every form of Arenisca: dry, wet, each feature alone and all together; then those for
-/// comparison.
+/// Every form of Arenisca: dry, wet, each feature alone and all together; those with damage and
+/// heat, whose cards have many values; then those for comparison.
 std::vector<RockForm> rock_forms();
 
 /// The card as that form, with a tolerance.
 /// @throws FileError, InputError
 Material make_form(const std::string& card, const RockForm& form, double tolerance);
 
-/// What was added, as a reader of cards would write it.
+/// What was added, as a reader of cards would write it, or the card.
 std::string words_of(const RockForm& form);
 
 template <class Model>

@@ -22,6 +22,7 @@ from performance import off_costs
 from tools import paper_parts
 from tools import range_effects_table
 from tools import rock_cards_table
+from tools import shot_stress
 import predictions
 from performance import scaling
 from performance import scaling_model
@@ -83,6 +84,8 @@ PARTS = {
     "rock_cards": rock_cards_table.lines,
     "scaling.py": scaling.stored_part,
     "scaling_model.py": scaling_model.stored_part,
+    "shot_stress": shot_stress.lines,
+    "shot_stress_factors": shot_stress.factors,
     "step_cost.py": step_cost.stored_part,
     "synthetic_fits.py": synthetic_results.stored_part,
     "uncertainty": uncertainty_parts.example,
