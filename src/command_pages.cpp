@@ -39,7 +39,7 @@ void take_override(Options& options, const std::string& value) {
 
 /// As the deck would say it, so that it can be read back from the effective deck.
 void take_fidelity(Options& options, const std::string& value) {
-  const std::vector<std::string> known = fidelity_words();
+  const std::vector<std::string> known = fidelity_choices();
   if (std::find(known.begin(), known.end(), value) == known.end()) {
     throw DeckError(
         "--fidelity " + input::shown(value) + " is not a fidelity; " +
@@ -62,7 +62,8 @@ const OptionPage fidelity_option = {
     "WORD",
     "balanced",
     "fast, balanced or reference: choose between error\n"
-    "and cost where the deck does not (docs/trade.md)",
+    "and cost where the deck does not (docs/trade.md);\n"
+    "none: without the choices of a deck's Fidelity",
     take_fidelity};
 
 CommandPage run_page() {

@@ -3,6 +3,7 @@
 
 #include "check/gap_notes.hpp"
 #include "check/jet_note.hpp"
+#include "check/liquid_note.hpp"
 #include "check/locking_note.hpp"
 #include "check/scale_notes.hpp"
 #include "check/step_notes.hpp"
@@ -23,6 +24,7 @@ std::vector<std::string> notes_of(const Deck& deck, const Scene& scene) {
     if (std::string note = locking_note(scene, m); !note.empty()) notes.push_back(std::move(note));
   for (std::string note :
        {ringing_note(scene),
+        liquid_note(scene),
         largest_strain_note(scene),
         jet_note(scene),
         through_note(scene),

@@ -202,6 +202,12 @@ std::vector<std::string> fidelity_words() {
   return words;
 }
 
+std::vector<std::string> fidelity_choices() {
+  std::vector<std::string> words = fidelity_words();
+  words.emplace_back("none");
+  return words;
+}
+
 std::string fidelity_errors(const std::string& name) {
   const Choices* const choices = choices_of(name);
   return choices == nullptr ? "" : choices->errors;
@@ -225,7 +231,7 @@ std::string fidelity_text() {
   return text;
 }
 
-// An unknown name is refused with the other words of the deck.
+// An unknown name is refused with the other words of the deck; "none" makes no choices.
 Fidelity::Fidelity(const std::string& name, const input::UnitSystem& units)
     : name_(choices_of(name) ? name : ""), units_(units) {}
 

@@ -16,6 +16,9 @@ namespace barreno {
 /// docs/trade.md.
 std::vector<std::string> fidelity_words();
 
+/// These, and the word for no choices at all, which takes those of a deck away.
+std::vector<std::string> fidelity_choices();
+
 /// What errors were measured with a set, in one line for `check`: pressures of a shock, smooth
 /// strains of 0.3.
 std::string fidelity_errors(const std::string& name);

@@ -107,6 +107,12 @@ void add_hole_lines(
     const std::string hole = hole_words(scene, penetration);
     if (!hole.empty()) lines.push_back(hole);
   }
+  if (penetration.met && scene.jet.present && jet_path(scene).liquid > 0.0)
+    lines.push_back(number_line(
+        "%.4g mm of the jet's path are liquid, which counts as a gap: depth and hole are those in "
+        "solids",
+        1e3 * jet_path(scene).liquid
+    ));
   for (const RockZones& zones : summary.zones) lines.push_back(zones_words(scene, zones));
   if (summary.rest && summary.rest->met) lines.push_back(rest_sentence(*summary.rest));
   if (penetration.met)

@@ -134,7 +134,7 @@ SolveReport solve_rows(
     const Teuchos::RCP<const Comm>& comm,
     std::vector<double>& solution
 ) {
-  constexpr double tolerance = 1e-12;  // of the residual: flows add up to its order
+  constexpr double tolerance = 1e-13;  // of the residual: flows add up to its order
   Teuchos::ParameterList lists;
   lists.sublist("Belos").set("Convergence Tolerance", tolerance);
   lists.sublist("Belos").set("Maximum Iterations", 20000);

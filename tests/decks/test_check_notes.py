@@ -97,6 +97,16 @@ NOT_MISTAKEN = {  # what: (settings, words that no note has)
 }
 
 
+def check_liquid_out_of_equilibrium(server):
+    """Loads on a liquid with another pressure than that of its start."""
+    deck, said = DECKS / "api_section_4.xml", "a liquid that starts under {} MPa, and Loads/Scallop water presses on it with {} MPa"
+    for settings, words in (((), ""), (["Materials/Water/Initial Pressure=30 MPa"], said.format(30, 17)),
+            (["Loads/Scallop water/Pressure=12 MPa"], said.format(17, 12))):  # fmt: skip
+        plan = plan_of(server, deck, *(word for one in settings for word in ("--set", one)))
+        notes = [note for note in notes_of(plan) if "a liquid that" in note]
+        assert len(notes) == bool(words) and all(words in note for note in notes), notes
+
+
 def check_shipped_decks(server):
     for deck in sorted(DECKS.glob("*.xml")):
         notes = notes_of(plan_of(server, deck))
@@ -214,6 +224,7 @@ def main():
         server = RunServer(pathlib.Path(sys.argv[2]).resolve(), folder)
         check_mistakes(server)
         check_pore_flow_keeps_equal_cells(server)
+        check_liquid_out_of_equilibrium(server)
         check_shipped_decks(server)
         check_density_of_wet_rock(server)
         server.end()

@@ -49,6 +49,19 @@ def check_metal_that_breaks():
         assert "Jet/Splits" not in plan and f"Jet/Cells Per Radius = {others}" in plan and "Step/Return Losses" not in plan, plan
 
 
+def check_none(folder):
+    """Takes the choices of a deck away: the deck without its Fidelity."""
+    deck, bare = DECKS / "perforation.xml", folder / "bare.xml"
+    same = ("Grid ", "Jet ", "Kind ", "Note: ")
+    plans = [[line for line in barreno("check", deck, *words).splitlines() if line.startswith(same)]
+        for words in (("--fidelity", "none"), ("--set", "Fidelity=none"), ("--set", "Fidelity="))]  # fmt: skip
+    assert plans[0] == plans[1] == plans[2] and len(plans[0]) >= 3, plans
+    said = "\n".join(plans[0])
+    assert "Fidelity" not in said and "cells of 0.001 m" in said and "Cells Per Radius =" not in said, said
+    bare.write_text(barreno("check", deck, "--fidelity", "none", "--print-deck"))
+    assert "cells of 0.001 m" in barreno("check", bare)
+
+
 def check_losses_that_stay_lost():
     """Where another word of the deck leaves no way to know them a fidelity does not ask for them."""
     for entry in ("Transfer=APIC", "Order=modified stress last", "Damping=1", "PIC Fraction=0.1"):
@@ -79,6 +92,7 @@ def main():
         check_every_deck(folder)
         check_metal_that_breaks()
         check_losses_that_stay_lost()
+        check_none(pathlib.Path(folder))
         run_again(pathlib.Path(folder))
 
 

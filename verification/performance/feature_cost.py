@@ -48,9 +48,9 @@ WHY_DRY = (
     "predictions and the return need most of them; fewer need a looser tolerance."
 )
 WHY_HEATED = (
-    "Each evaluation has damage, dilation that falls with pressure, moduli of grains that stiffen and a temperature besides. With a tension "
-    "cutoff it has principal stresses too, and takes more substeps. In wet rock the pressure of the pores is found again for grains and "
-    "water whose stiffness follows pressure and temperature."
+    "Each evaluation has damage, dilation that falls with pressure, moduli of grains that stiffen and a temperature besides. With a "
+    "tension cutoff it has principal stresses too, and takes more substeps. In wet rock the pressure of the pores is found again for "
+    "grains and water whose stiffness follows pressure and temperature."
 )
 WHY_SLOWEST = (
     "The substeps take the time, one after the other, however many lanes are free. The tolerance asks for so many where the increment is "

@@ -49,9 +49,9 @@ strength), about half of what is computed: its slugs have gaps of a dozen length
 goes on. Rods of metal show the same: ten rods with gaps dig half as deep again as one of the same length
 ([rod_train](verification/rod_train.md)).
 
-With divided particles `check`, screen, summary and report give the depth with an interval until {rest} us, and that of the hole as wide as
-the jet at rest. Of other jets, and of the depth later, the error is still "unknown". Two single runs must differ by three times the standard
-deviation of one before the difference means anything.
+With divided particles `check`, screen, summary and report give the depth with an interval until {rest} us and at rest. Of other jets, and
+of a run that goes on after {rest} us and does not come to rest, the error is "unknown". Two single runs must differ by three times the
+standard deviation of one before the difference means anything.
 """
 
 

@@ -59,7 +59,7 @@ def repeats():
     """{cells: runs of the deck that should agree}, of those cells with which there are several"""
     found = json.loads((RESULTS / "depth_scatter.json").read_text())
     return {float(cells): [{**one, "wide_depth": one["probed_depth"]} for one in runs.values()]
-        for cells, runs in found.items() if len(runs) > 2}  # fmt: skip
+        for cells, runs in found.items() if len(runs) > 1}  # fmt: skip
 
 
 def mean_at(cells, single, what, time):

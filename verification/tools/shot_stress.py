@@ -23,7 +23,8 @@ SIZES = {"as wide as the jet": ("wide_depth", 1e3), "tip": ("tip", 1e3), "volume
 def pressures(shot):
     """Confining and pore pressure of a shot of the deck [MPa]."""
     entries = SHOTS[shot][0]
-    confining = 0.0 if BARE.items() <= entries.items() else float(entries.get("Confinement/Pressure", f"{DECK_MPA} MPa").removesuffix(" MPa"))
+    given = entries.get("Confinement/Pressure", f"{DECK_MPA} MPa")
+    confining = 0.0 if BARE.items() <= entries.items() else float(given.removesuffix(" MPa"))
     return confining, float(entries.get("Bodies/Rock/Pore Pressure", "0 Pa").removesuffix(" MPa").removesuffix(" Pa"))
 
 
@@ -110,7 +111,8 @@ def lines():
         "core flow efficiency"]  # fmt: skip
     judged = [[what, f"{cells:g}", f"{value:.3f}", wanted, "holds" if holds else "does not hold"]
         for what, cells, value, wanted, holds in trends()]  # fmt: skip
-    return [*table(head, rows()), "", *table(["trend, of the hole as wide as the jet", "cells per radius", "measured", "wanted", "verdict"], judged)]
+    trend = ["trend, of the hole as wide as the jet", "cells per radius", "measured", "wanted", "verdict"]
+    return [*table(head, rows()), "", *table(trend, judged)]
 
 
 def draw():
@@ -123,7 +125,8 @@ def draw():
     figure, axes = plt.subplots(figsize=(7.0, 3.6))
     for cells, runs in dry_shots().items():
         depths = {confining: value_of(one, "as wide as the jet") for confining, one in runs.items()}
-        axes.plot(list(depths), [depth / depths[0.0] for depth in depths.values()], "o-", label=f"as wide as the jet, {cells:g} cells per radius")
+        axes.plot(list(depths), [depth / depths[0.0] for depth in depths.values()], "o-",
+            label=f"as wide as the jet, {cells:g} cells per radius")  # fmt: skip
     across = [5.0 * i for i in range(29)]
     axes.fill_between(across, *([recalled(at, slope) for at in across] for slope in SLOPES), color="0.85",
         label="Harvey, Grove and Zhan (2012), constants recalled")  # fmt: skip

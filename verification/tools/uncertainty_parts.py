@@ -59,6 +59,6 @@ def example():
         out += [f"No share that stands out from the scatter: {', '.join(others)}.", ""]
     first = next(iter(answers.values()))
     minutes = data["seconds"] / 60.0
-    out += [first["sentence"], "", f"Its {data['runs']} runs took {minutes:.0f} minutes, two at a time on two cores: {minutes / 2.0:.0f} "
-        "minutes, and the flow into their holes."]
+    out += [first["sentence"], "", f"Its {data['runs']} runs took {minutes:.0f} minutes of processor time. With two at a time on two "
+        f"cores that is {minutes / 2.0:.0f} minutes, to which the flow into their holes comes: more than the 20 minutes aimed at."]
     return out

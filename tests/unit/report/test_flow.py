@@ -8,6 +8,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import sys
 import tempfile
 
@@ -142,6 +143,9 @@ def check_faults(folder):
     ):
         said, _ = flow(run, *words, code=1)
         assert sentence in said, said
+    (folder / "empty").mkdir()
+    said = said_by("barreno.flow", folder / "empty", code=2)
+    assert "cannot find the flow into the hole of" in said and "it contains no history.csv; give the folder of a run" in said, said
     said = said_by("barreno.flow", folder / "absent", code=2)
     assert "is not a folder" in said, said
     closed = synthetic_run.write_run(folder / "closed", [synthetic_run.rock(synthetic_run.lattice(0.0, OUTER, 0.0, LENGTH)),
@@ -154,11 +158,47 @@ def check_faults(folder):
     assert "flow is computed through rings of axisymmetric runs alone" in said, said
 
 
+def check_rock_that_lets_nothing_through(folder):
+    run = hole_run(folder / "tight", 0.3)
+    deck = run / "deck.xml"
+    text = deck.read_text()
+    flows = """<ParameterList name="Pore Flow"><ParameterList name="Rocks"><ParameterList name="Sandstone">
+        <Parameter name="Permeability" type="string" value="{%s}"/></ParameterList></ParameterList></ParameterList>"""
+    head, end = text.rsplit("</ParameterList>", 1)
+    for permeability, code in (("1e-13", 0), ("0", 1), ("0, 0, 0", 1)):
+        deck.write_text(head + flows % permeability + "</ParameterList>" + end)
+        said, _ = flow(run, code=code)
+        assert ("has rock of Pore Flow whose Permeability is 0, so nothing flows" in said) == bool(code), said
+    entry = re.search(r'name="p3_crush_curve"[^>]*value="([^"]*)"', text)
+    deck.write_text(text[: entry.start(1)] + "0" + text[entry.end(1) :])
+    said, _ = flow(run, code=1)
+    assert "has no rock with pores, so nothing flows" in said and "Warning" not in said, said
+
+
+def check_what_the_hole_is(folder):
+    """A hole that grows on, or has no bottom, is said to be one."""
+    run = hole_run(folder / "what", 0.3)
+    file = run / "summary.json"
+    plain = json.loads(file.read_text())
+    rest = {"at_rest": False, "sentence": "The hole is not at rest: it grows."}
+    for found, sentence in (
+        ({"rest": rest}, "The hole is not at rest: it grows. The flow is that into the hole as it is."),
+        ({"rest": rest, "through": True}, "The jet has come out of the rear of the target"),
+        ({"rest": {**rest, "at_rest": True}}, ""),
+    ):
+        file.write_text(json.dumps({**plain, "penetration": found}))
+        said, numbers = flow(run)
+        assert sentence in said and numbers.get("warning", "").startswith(sentence), said
+        assert bool(sentence) == ("warning" in numbers), numbers
+        said, numbers = flow(run, "--time", "10 us")
+        assert "warning" not in numbers, numbers
+
+
 def main():
     os.environ["BARRENO_PROGRAM"] = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
         for check in (check_ring, check_broken_grains, check_dilated_ring, check_blind_hole, check_cells, check_error_of_the_cells,
-                check_faults):  # fmt: skip
+                check_faults, check_rock_that_lets_nothing_through, check_what_the_hole_is):  # fmt: skip
             check(pathlib.Path(folder))
 
 

@@ -36,7 +36,7 @@ def parse(words):
     parser.add_argument("--formal-order", type=float, default=2.0, metavar="P", help="order that the method can have at most (default 2)")
     parser.add_argument("--out", metavar="FOLDER", help="folder of the runs and of the result (default runs/DECK-converge)")
     parser.add_argument("--ranks", type=int, default=1, metavar="N", help="processes of every run")
-    parser.add_argument("--fidelity", metavar="NAME", help="fast, balanced or reference, as for run")
+    parser.add_argument("--fidelity", metavar="NAME", help="fast, balanced, reference or none, as for run")
     parser.add_argument("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"',
         help="changes a value of the deck on all levels, as often as needed")
     return parser.parse_args(words)

@@ -14,7 +14,7 @@ from barreno.flow.surge_table import lines_of_surge, numbers_of_surge, skin_of
 from barreno.report.files import read_summary
 from barreno.report.numbers import error_words
 from barreno.report.run import opened
-from barreno.runs.faults import FILE, Fault, exit_code
+from barreno.runs.faults import FILE, BadRun, Fault, exit_code, on_one_line
 from barreno.runs.ranks import check_ranks
 from barreno.runs.tables import aligned, make_folder, place
 from barreno.runs.words import GRADIENT_UNITS, LENGTH_UNITS, PRESSURE_UNITS, TIME_UNITS, Words, quantity_of
@@ -74,9 +74,20 @@ def shares_of(rings, flow):
     return [*above, *zip(depth[:-1], depth[1:], np.diff(at)), *below]
 
 
-def error_of(options):
-    """What the size of the run's cells does to the efficiency, as its summary says it; {} where the summary says nothing."""
-    error = read_summary(pathlib.Path(options.run) / "summary.json").get("penetration", {}).get("core_flow_efficiency_error", {})
+def warning_of(options, found):
+    """Whether the hole is one that goes on growing, or has no bottom; empty where nothing is to be said.  @param found  penetration"""
+    if options.time:
+        return ""
+    rest = found.get("rest", {})
+    if found.get("through"):
+        return "The jet has come out of the rear of the target: the fluid flows into a hole without a bottom, as deep as the target."
+    return rest["sentence"] + " The flow is that into the hole as it is." if rest.get("at_rest") is False else ""
+
+
+def error_of(options, found):
+    """What the size of the run's cells does to the efficiency, as its summary says it; {} where the summary says nothing.
+    @param found  penetration of the summary"""
+    error = found.get("core_flow_efficiency_error", {})
     if error and (options.boundary != "radial" or options.time or options.surge):
         return {"unknown": "it was measured for radial flow at the end of runs without a surge only"}
     return error
@@ -129,13 +140,21 @@ def flow_of(folder, boundary, time=None, cell=None, ranks=1):
 
 def run(words):
     options = parse(words)
+    try:
+        return flow(options)
+    except BadRun as bad:
+        raise Fault(f"cannot find the flow into the hole of '{on_one_line(options.run)}' ({bad}).", FILE) from None
+
+
+def flow(options):
     check_ranks(options.ranks)
     if not pathlib.Path(options.run).is_dir():
         raise Fault(f"'{options.run}' is not a folder (flow reads what a run wrote into it); check the path.", FILE)
     time = quantity_in("--time", options.time, TIME_UNITS, "200 us") if options.time else None
     cell = quantity_in("--cell", options.cell, LENGTH_UNITS, "1 mm") if options.cell else None
     surge = surge_in(options)
-    cleaning, more, error = None, {}, error_of(options)
+    found = read_summary(pathlib.Path(options.run) / "summary.json").get("penetration", {})
+    cleaning, more, error, warning = None, {}, error_of(options, found), warning_of(options, found)
     if surge is None:
         rings, shot, virgin, shares = flow_of(options.run, options.boundary, time, cell, options.ranks)
     else:
@@ -145,6 +164,9 @@ def run(words):
         print("\n".join(lines_of_surge(cleaning)))
     if error:
         more["core_flow_efficiency_error"] = error
+    if warning:
+        more["warning"] = warning
+        print(warning)
     print("\n".join(lines_of(options, rings, shot, virgin, shares, error)))
     out = pathlib.Path(options.out) if options.out else pathlib.Path(options.run) / "flow"
     make_folder(out)

@@ -100,6 +100,12 @@ def with_voids(hole, empty):
         hole = wider
 
 
+def conducts(deck, rock):
+    """Whether the deck gives its rock no permeability, or one above 0."""
+    given = deck.vector(f"Pore Flow/Rocks/{rock.material}/Permeability")
+    return not given or max(given) > 0.0
+
+
 def rings_of(run, time, cell=None):
     """@param cell  size of the rings' cells; half that of the run along the jet's path if it is not given [m]
     @raises Fault  where there is no hole to flow into, or no rock with pores"""
@@ -111,8 +117,11 @@ def rings_of(run, time, cell=None):
     frame, table = run.frame(time), run.depth_table()
     hole = measure_hole(frame, deck, face_of(table, frame.file, deck))
     rock = Rock(frame, deck, hole.face)
-    if not len(rock):
-        raise Fault(f"{run.folder} has no rock with pores, so nothing flows; give a run with a target of Arenisca.")
+    if not (len(rock) and rock.virgin > 0.0):
+        raise Fault(f"{run.folder} has no rock with pores, so nothing flows; give a run with a target of Arenisca whose p3_crush_curve is "
+            "above 0.")
+    if not conducts(deck, rock):
+        raise Fault(f"{run.folder} has rock of Pore Flow whose Permeability is 0, so nothing flows; give it one, or leave Pore Flow out.")
     top, rear = face_of_rock(frame, deck, hole.face), rear_of(frame.file, deck, hole.face)
     if hole.length <= top:
         raise Fault(f"{run.folder} has no hole in its rock at {1e6 * frame.time:.4g} us (it is closed, or ends above the rock), so nothing "

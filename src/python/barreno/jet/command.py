@@ -25,7 +25,7 @@ def parse(words):
     parser.add_argument("--resistance", metavar="STRESS", help='of the last body, "1 GPa": adds the depth of Alekseevskii and Tate')
     parser.add_argument("--strength", metavar="STRESS", help="of the jet, for the same (default 0)")
     parser.add_argument("--out", metavar="FOLDER", help="folder of jet.csv, jet.png and jet.json (default runs/DECK-jet)")
-    parser.add_argument("--fidelity", metavar="NAME", help="fast, balanced or reference, as for run")
+    parser.add_argument("--fidelity", metavar="NAME", help="fast, balanced, reference or none, as for run")
     parser.add_argument("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"',
         help="changes a value of the deck")
     return parser.parse_args(words)

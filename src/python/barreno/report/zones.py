@@ -77,7 +77,8 @@ class Rock:
         self.r, self.depth = np.abs(centre[:, 0]), deck.direction * (centre[:, 1] - face)
         self.half_width, self.half_height = half[:, 0], half[:, 1]
         names = [frame.file.block_names[b] for b in np.unique(frame.block[of][keep])]
-        self.virgin = virgin_porosity(deck, names[0]) if names else float("nan")
+        self.material = names[0] if names else ""
+        self.virgin = virgin_porosity(deck, self.material) if names else float("nan")
         bulk = areas_of(shapes[keep]) * (self.r if deck.mode == "axisymmetric" else 1.0)
         # Debris lies in pieces: what is between them is no pore.
         ratio = np.maximum(np.nan_to_num(frame.of_alive(["volume_ratio"])[of][keep], nan=1.0), 1.0)

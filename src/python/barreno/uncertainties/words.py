@@ -44,7 +44,7 @@ def parse(words):
     add("--out", metavar="FOLDER", help="folder of the runs and of the results (default runs/DECK-uncertainty)")
     add("--set", action="append", default=[], dest="settings", metavar='"LIST/NAME=VALUE"',
         help="changes a value of the deck in all runs, as often as needed")
-    add("--fidelity", metavar="WORD", help="fast, balanced or reference, as for run")
+    add("--fidelity", metavar="WORD", help="fast, balanced, reference or none, as for run")
     flows.add_word(add)
     add_modes(add)
     return parser.parse_args(words)
