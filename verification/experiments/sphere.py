@@ -49,7 +49,7 @@ def run(barreno, full):
     cells = list(LEVELS) if full else list(LEVELS)[:1]
     experiment = Experiment(
         "A steel sphere into sandstone",
-        "A hypervelocity impact makes a crater as deep as measured, and a shallower and larger one in wet rock.",
+        "A hypervelocity impact makes a crater as deep as measured in dry rock; in wet rock the measured one is shallower and larger.",
         "steel, 2.5 mm, 5 km/s, normal, a block of 60 x 60 mm (radius and depth) without confinement, to 40 us, before waves come "
         f"back; card `{CARD}`, "
         "`steel_4340_fracture`. The cube of the experiment was 200 mm wide; its abstract names neither rock (Seeberger sandstone is "
