@@ -55,8 +55,8 @@ std::string settled_text(const Rest& rest) {
                                     : share_of(rest.growth, rest.depth);
   const std::string where =
       has_growing_thread(rest) ? "as far as it is as wide as the jet, " : std::string();
-  const std::string text = where + "its depth grew by " + percent_text(growth) + " in the last " +
-                           microseconds(rest.window);
+  std::string text = where + "its depth grew by " + percent_text(growth) + " in the last " +
+                     microseconds(rest.window);
   if (!rest.probed) return text;
   return text + ", its volume by " + percent_text(share_of(rest.volume_growth, rest.probed_volume));
 }

@@ -45,8 +45,8 @@ struct RestRule {
   double least_window = 0.0;  ///< in which the tip flies twenty radii of the widest slug [time]
   double stand_off = 0.0;     ///< of the launch plane from the outer face of the target [length]
   std::vector<ComingSlug> slugs{};
-  double row = 0.0;           ///< of the hole, whose depth is a number of them: one cell [length]
-  bool plane = false;         ///< plane strain: volumes are areas
+  double row = 0.0;    ///< of the hole, whose depth is a number of them: one cell [length]
+  bool plane = false;  ///< plane strain: volumes are areas
 };
 RestRule rest_rule(const Scene& scene);
 

@@ -212,11 +212,12 @@ def run(barreno, full):
         "Sandstone under shock",
         "Dry rock under a jet is as dense, and as strong, as its law says, to 40 GPa; wet rock is as dense as its grains and water.",
         "the law's own integrals, written anew (required); porous silica behind a shock, of *recalled* constants (required of "
-        "rock with heat alone, within 5 %): quartz and stishovite after Birch and Murnaghan with Mie and Grueneisen's heat, mixed from 12 to 35 GPa. One material point under "
-        "uniaxial strain, no grid; rock with heat in a run: two plates that meet, losses returned as heat, with the jump conditions "
-        "required from 20 GPa on. Wet rock: silica without pores and water (Us = 1483 m/s + 1.921 up) by their volumes behind shocks of "
-        "their own to one pressure, of *recalled* constants too (required, within 8 %, for what grains and water of one bulk modulus miss is tens of "
-        "per cent). Differences of the density from that reference [%] at an axial stress of",
+        "rock with heat alone, within 5 %): quartz and stishovite after Birch and Murnaghan with Mie and Grueneisen's heat, "
+        "mixed from 12 to 35 GPa. One material point under uniaxial strain, no grid; rock with heat in a run: two plates that "
+        "meet, losses returned as heat, with the jump conditions required from 20 GPa on. Wet rock: silica without pores and "
+        "water (Us = 1483 m/s + 1.921 up) by their volumes behind shocks of their own to one pressure, of *recalled* constants "
+        "too (required, within 8 %, for what grains and water of one bulk modulus miss is tens of per cent). Differences of the"
+        " density from that reference [%] at an axial stress of",
         ["card", *(f"{stress:g} GPa" for stress in STRESSES)],
         [],
     )  # fmt: skip

@@ -112,7 +112,7 @@ def lines():
     judged = [[what, f"{cells:g}", f"{value:.3f}", wanted, "holds" if holds else "does not hold"]
         for what, cells, value, wanted, holds in trends()]  # fmt: skip
     trend = ["trend, of the hole as wide as the jet", "cells per radius", "measured", "wanted", "verdict"]
-    return [*table(head, rows()), "", *table(trend, judged)]
+    return [f"After {TIMES[-1]} us:", "", *table(head, rows()), "", *table(trend, judged)]
 
 
 def draw():

@@ -34,7 +34,8 @@ SectionTable<HeadSection> head_table() {
                "Fidelity",
                fidelity_choices(),
                "a set of choices that trade error against cost (" + fidelity_text() +
-                   "), for what the deck leaves open; none: no choices; errors were measured for the depth of a jet "
+                   "), for what the deck leaves open; none: no choices; errors were measured for "
+                   "the depth of a jet "
                    "with cells of its radius, the pressures of a shock and smooth strains of 0.3: "
                    "docs/trade.md"
            )
