@@ -47,7 +47,7 @@ def trust(data):
 
 def fidelity_section(data):
     at = {(p["problem"], p["name"], p["level"]): p for p in data["points"] if "error" in p}
-    lines = ["## Fidelities", "", "`--fidelity NAME` sets what the deck leaves open:", "",
+    lines = ["## Fidelities", "", "`--fidelity NAME` sets what the deck leaves open (`none`: nothing, whatever Fidelity the deck has):", "",
              "| fidelity | " + " | ".join(WORDS[:-1]) + " | particles per cell | in the jet |", "|---|" + "---|" * 7]  # fmt: skip
     for name in FIDELITIES:
         said, per_cell = data["chosen"][name]

@@ -60,5 +60,5 @@ def example():
     first = next(iter(answers.values()))
     minutes = data["seconds"] / 60.0
     out += [first["sentence"], "", f"Its {data['runs']} runs took {minutes:.0f} minutes of processor time. With two at a time on two "
-        f"cores that is {minutes / 2.0:.0f} minutes, to which the flow into their holes comes: more than the 20 minutes aimed at."]
+        f"cores that is {minutes / 2.0:.0f} minutes, and more with the flow into their holes. The aim was 20 minutes in all."]
     return out
